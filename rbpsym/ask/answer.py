@@ -123,9 +123,10 @@ def _works(world: ProblemWorld, values: tuple[Scalar, ...]) -> Works:
 
 
 def _of_body(world: ProblemWorld, power: Scalar) -> Scalar | None:
-    """∫ power dt as what it gives to the kinetic energy of a body, and to what acts beside it; None where it is none of this."""
-    for state in world.bodies("system"):
-        energy = translational_energy(state) + rotational_energy(state)
+    """∫ power dt as what it gives to the kinetic energy of a body, or of all, and to what acts beside it; None where it is none
+    of this."""
+    energies = [translational_energy(state) + rotational_energy(state) for state in world.bodies("system")]
+    for energy in (*energies, sum(energies, NOTHING)):
         rest = short(world.motion.moved(power - time_derivative(energy, world.motion.scope)))
         beside = NOTHING if is_zero(rest) else work_done(rest, world.motion)
         if energy and beside is not None:

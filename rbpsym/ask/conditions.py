@@ -18,9 +18,9 @@ from rbpsym.ask.seen import PLACE, AskedPhase, going_on, moving, place_in, requi
 from rbpsym.ask.wanted import Wanted, free_place, on_way
 from rbpsym.ask.zeros import where_met
 from rbpsym.chapters import oscillations
-from rbpsym.decide.rooted import rooted
+from rbpsym.decide.rooted import rooted, sign_along
 from rbpsym.decide.signs import sign
-from rbpsym.errors import DimensionError, NotApplicable, RbpsymError, StatementError, there
+from rbpsym.errors import DimensionError, NotApplicable, RbpsymError, StatementError, Undecided, there
 from rbpsym.expr import tree as t
 from rbpsym.expr.infix import read_infix
 from rbpsym.field import NOTHING, Scalar, derivative, is_zero, lift, substitute
@@ -220,10 +220,19 @@ def _damped(world: AskedPhase, name: str, kind: str) -> Wanted:
 
 
 def _rests_at(world: AskedPhase, name: str, place: str) -> Wanted:
-    """It comes to rest at a place: where that is known, else its speed vanishes there."""
+    """It comes to rest at a place: where that is known, else its speed vanishes there, and not before if it is real there."""
     with suppress(NoClosedForm):
         return _equal(world, f"{name} where {name} comes to rest", place)
-    return _equal(world, f"speed of {name} where {name} = {place}", "0")
+    end, given = place_in(world, name, place), world.motion.assumptions
+    if name not in world.study.squares:
+        return _equal(world, f"speed of {name} where {name} = {place}", "0")
+    way, within = way_to(world, name, end, given)
+    _check_phase(world, way, end)
+    *others, square = going_on(world, way, within)
+    last = rooted(substitute(square, {name: end}), given)
+    if others or sign_along(square, name, within, lambda value: is_zero(value - last)) <= 0:
+        raise Undecided(f"whether “{name}” comes so far without a halt is not decided")
+    return Wanted((last,), given, equal=True, asked=way.asked)
 
 
 def _equilibrium(world: AskedPhase, name: str, text: str) -> Wanted:
@@ -299,6 +308,7 @@ def _compared(world: AskedPhase, text: str) -> Wanted:
 _N, _UNTIL = r"([\w.]+)", r"(?:,? (?:until|before|up to) (\w+) (?:=|reaches|is) (.+))?"
 WANTED: tuple[tuple[str, Callable[..., Wanted]], ...] = (
     (rf"{_N} (?:comes|is brought) to rest (?:at|where|when|after) (?:\w+ = )?(.+)", _rests_at),
+    (rf"{_N} where \1 comes to rest = (.+)", _rests_at),
     (rf"{_N} (?:just )?reach(?:es)? (.+)", _reaches),
     (rf"{_N} (?:gets|comes) to (.+)", _reaches),
     (rf"{_N} (?:does not|never) (?:begin to |start to )?slips?{_UNTIL}", _holds_fast),

@@ -12,8 +12,7 @@ from rbpsym.ask.finding import FOR_EVERY, FOR_NONE, NO_SUCH, Finding, checked, k
 from rbpsym.ask.question import SUPERLATIVES
 from rbpsym.ask.regions import SIDES, Region, alone, binding, by_order, common, equal_for, region_on_way
 from rbpsym.ask.seen import AskedPhase, moving, never_told, parameter, seen, told
-from rbpsym.ask.sliding import begins_to_slip, comes_to_rest, goes_steadily, of_contact, rises, stays
-from rbpsym.ask.wanted import Wanted, arrives, case_of, on_what, premises, unsaid
+from rbpsym.ask.wanted import GOES, Wanted, arrives, begins_to_slip, case_of, of_contact, on_what, premises, unsaid
 from rbpsym.ask.zeros import where_met
 from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.rooted import rooted
@@ -48,8 +47,7 @@ def which(world: AskedPhase, superlative: str | None, name: str, text: str, oppo
     vanishing = VANISHES.fullmatch(text) if superlative and name not in world.coordinates else None
     if vanishing and vanishing[1] in world.study.system.unknowns and moving(world, (seen(world, vanishing[1]),)):
         return _opposite(world, superlative, name, text, f"{vanishing[1]} stays positive{vanishing[2]}")  # somewhere on the way
-    ways = (stays, comes_to_rest, rises, goes_steadily)
-    condition = slides or next(filter(None, (find(world, text) for find in ways)), None) or wanted(world, text, name)
+    condition = slides or next(filter(None, (find(world, text) for find in GOES)), None) or wanted(world, text, name)
     if condition.equal:
         return equal_for(world, superlative, name, condition, text)
     stated = premises(world, condition)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 
 from rbpsym.ask.limits import leading
@@ -15,7 +15,7 @@ from rbpsym.errors import NotApplicable, RbpsymError, Undecided, all_there
 from rbpsym.field import NOTHING, Scalar, depends_on, derivative, is_zero, names_in, short, substitute, symbol
 from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.coupled import courses_of
-from rbpsym.mechanics.demands import Demand
+from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.endings import uniform_motion
 from rbpsym.mechanics.events import Way
 from rbpsym.mechanics.led import sense_to
@@ -134,9 +134,6 @@ def _near(
 def by_speed(study: Study, demand: Demand) -> list[Demand] | None:
     """What is asked for a function of the one speed not to become negative, where the acceleration is one too: between the first
     speed and that at which it vanishes. None for another value; raises Undecided."""
-    from rbpsym.ask.wanted import Wanted
-    from rbpsym.ask.yesno import least_values
-
     [name, *more], given = study.system.independent or ("",), study.assumptions
     speed, gain = f"{name}_dot", (study.dynamics.accelerations or {}).get(f"{name}_ddot", NOTHING)
     moving, begun = {*study.system.coordinates, *study.system.speeds, "t"}, study.system.scope.start.get(speed, NOTHING)
@@ -146,34 +143,39 @@ def by_speed(study: Study, demand: Demand) -> list[Demand] | None:
     ends = [place for place in zeros(gain, speed, given) if sign((place - begun) * way, given).kind == "positive"]
     if not way or len(ends) > 1:
         return None
+    end = ends[0] if ends else None
+    return _lows(demand.value, given.with_range(speed, *((begun, end) if way > 0 else (end, begun))), speed)
+
+
+def _lows(value: Scalar, given: Assumptions, along: str, asked: Iterable[Demand] = ()) -> list[Demand]:
+    """What is asked for the least values of a function not to be negative. Raises Undecided."""
+    from rbpsym.ask.wanted import Wanted
+    from rbpsym.ask.yesno import least_values
+
     try:
-        end = ends[0] if ends else None
-        within = given.with_range(speed, *((begun, end) if way > 0 else (end, begun)))
-        return [*least_values(Wanted((demand.value,), within, speed))]
+        return [*least_values(Wanted((value,), given, along, asked=tuple(asked)))]
     except RbpsymError as error:
         raise Undecided(error.what) from None
 
 
-def least_until(study: Study, demand: Demand, time: Scalar | None, courses: Mapping[str, InTime]) -> list[Demand]:
-    """What is asked for a value not to become negative up to a time (None: ever), as the courses tell it. Raises Undecided."""
+def least_until(
+    study: Study, demand: Demand, time: Scalar | None, courses: Mapping[str, InTime], asked: Iterable[Demand] = ()
+) -> list[Demand]:
+    """What is asked for a value not to become negative up to a time (None: ever) that comes under conditions, as the courses
+    tell it. Raises Undecided."""
     from rbpsym.ask.seen import one_period
-    from rbpsym.ask.wanted import Wanted
-    from rbpsym.ask.yesno import least_values
 
-    if time is None:
+    if time is None or not courses:
         with suppress(NotApplicable):
             courses = courses_of(study)
     at = {name: one.whole for name, one in courses.items()} | {f"{name}_dot": one.speed for name, one in courses.items()}
-    told, given = short(substitute(demand.value, at)), study.assumptions
+    told, given = short(substitute(demand.value, at)), assuming(study.assumptions, asked)
     if names_in(told) & {*study.system.coordinates, *study.system.speeds} or not depends_on(told, "t"):
         raise Undecided("their forces are not known on the way")
     if time == symbol("t"):
         return [Demand(told, demand.op)]
     given = one_period(told, given) if time is None else given.with_range("t", NOTHING, time)
-    try:
-        return [] if sign(told, given).is_nonnegative else [*least_values(Wanted((told,), given, "t"))]
-    except RbpsymError as error:
-        raise Undecided(error.what) from None
+    return [] if sign(told, given).is_nonnegative else _lows(told, given, "t")
 
 
 def until(study: Study, value: Scalar, time: Scalar | None) -> Demand | None:
@@ -201,8 +203,6 @@ def driven(study: Study, name: str, places: Mapping[str, Scalar] | None) -> tupl
 def least_of(study: Study, demand: Demand, name: str, *, places: Mapping[str, Scalar] | None) -> list[Demand]:
     """The least values of a function of a coordinate on its way to some places (None: on the whole motion). Raises Undecided."""
     from rbpsym.ask.seen import to_and_fro
-    from rbpsym.ask.wanted import Wanted
-    from rbpsym.ask.yesno import least_values
 
     world, given = ProblemWorld(study), study.assumptions
     try:
@@ -210,7 +210,7 @@ def least_of(study: Study, demand: Demand, name: str, *, places: Mapping[str, Sc
         ways = [led] if led else _ways(world, name, places[name]) if places else to_and_fro(world, name, given)
         found = [Demand(way.ahead(places[name])) for way, _ in ways[-1:] if places and places[name] != way.start]
         for way, within in ways:
-            found += least_values(Wanted((demand.value,), within, name, asked=way.asked))
+            found += _lows(demand.value, within, name, way.asked)
     except RbpsymError as error:
         raise Undecided(error.what) from None
     return found

@@ -17,7 +17,7 @@ from rbpsym.field import NOTHING, Scalar, is_zero, names_in, short, substitute, 
 from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover, state_at, value_in
 from rbpsym.mechanics.demands import Demand, assuming, possible
 from rbpsym.mechanics.endings import LAWS
-from rbpsym.mechanics.events import pushes, ways_of
+from rbpsym.mechanics.events import pushes, taken, ways_of
 from rbpsym.mechanics.friction import slips, slips_on, spare, stops
 from rbpsym.mechanics.numbers import floating
 from rbpsym.mechanics.orbit import swinging
@@ -25,7 +25,6 @@ from rbpsym.mechanics.pushing import begins, begun_numbers, ways_kept
 from rbpsym.mechanics.sides import grips
 from rbpsym.mechanics.solutions import InTime
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.ways import taken
 from rbpsym.present.forms import present
 from rbpsym.quantity.path import sense
 from rbpsym.quantity.problem import ProblemWorld
@@ -247,11 +246,10 @@ def lasts_to(study: Study, moment: Moment) -> tuple[tuple[Demand, ...], tuple[st
         return tuple(Demand(value_in(study, demand.value, moment.state), demand.op) for demand in held(study)), ()
     is_place = moment.how != "time" or (moment.watched is not None and _goes_on(study, *moment.watched[:2]))
     if is_place:
-        timed = (moment.state.time, moment.courses) if moment.courses or not study.system.independent else ()
-        return _decided(lambda: (*slipping(study, moment.state), *_on_way(study, moment.state.places, *timed)))
+        return _decided(lambda: (*slipping(study, moment.state), *_on_way(study, moment.state.places, moment)))
     state = moment.state
-    way = partial(_on_way, study, None, state.time, moment.courses)
-    return _decided(lambda: (*slipping(study, state), *never_lost(study, state, moment.courses), *way()))
+    lost = partial(never_lost, study, state, moment.courses)
+    return _decided(lambda: (*slipping(study, state), *lost(), *_on_way(study, None, moment)))
 
 
 def _at_rest(study: Study, state: ArrivalState) -> Iterator[Demand]:
@@ -317,14 +315,13 @@ def _decided(found: Callable[[], tuple[Demand, ...]]) -> tuple[tuple[Demand, ...
         return (), (f"whether the contacts and the friction last so far is not decided: {error.what}",)
 
 
-def _on_way(
-    study: Study, places: Mapping[str, Scalar] | None, time: Scalar | None = None, courses: Mapping[str, InTime] | None = None
-) -> Iterator[Demand]:
-    """Least values on the way from the start to some places (None: on the whole motion; what surely ends, and what `courses`
-    tell, up to a time). Raises Undecided, StatementError."""
+def _on_way(study: Study, places: Mapping[str, Scalar] | None, moment: Moment | None = None) -> Iterator[Demand]:
+    """Least values on the way from the start to some places (None: on the whole motion; what surely ends, and what the courses
+    of a moment tell, up to its time). Raises Undecided, StatementError."""
+    time = moment.state.time if moment else None
     for demand in running(study):
-        then = until(study, demand.value, time)
-        if then is not None:
+        is_timed = not (places and moment and study.system.independent) or moment.courses
+        if is_timed and (then := until(study, demand.value, time)) is not None:
             yield then
             continue
         with suppress(*([] if places else [Undecided])):  # how far it swings on the whole is told by what holds it
@@ -340,7 +337,7 @@ def _on_way(
         elif len(names) > 1 or any(name not in study.squares and driven(study, name, places) is None for name in names):
             if time is None and places is not None:
                 raise Undecided("their forces are not known on the way")
-            found = least_until(study, demand, time, courses or {})
+            found = least_until(study, demand, time, moment.courses if moment else {}, moment.state.valid if moment else ())
         else:
             found = least_of(study, demand, *names, places=places) if names else [demand]
         what = "a contact is lost, or friction reaches its limit, before: the motion that is stated ends there"

@@ -16,6 +16,7 @@ from rbpsym.expr.infix import read_infix
 from rbpsym.field import Meanings, Scalar, short
 from rbpsym.field.evaluate import scalar
 from rbpsym.mechanics.demands import existence, possible
+from rbpsym.quantity.vectors import swinging
 
 WHEN = re.compile(r" (?:where|when|at|until|up to|during|in phase|(?:just|right) (?:after|before|when|where)|from|begins)\b")
 
@@ -58,7 +59,7 @@ def _pendulum(world: AskedPhase, name: str | None) -> t.Node:
     [gravity, *more] = {element["g"] for element in world.study.problem.interactions if element.kind == "gravity"} or (None,)
     if gravity is None or more:
         raise StatementError("a simple pendulum of equal period needs one acceleration of gravity")
-    return t.Div(gravity, t.Pow(_leaf(world, f"frequency of {name or world.study.system.independent[0]}"), t.TWO))
+    return t.Div(gravity, t.Pow(_leaf(world, f"frequency of {name or swinging(world)[0]}"), t.TWO))
 
 
 def _magnitude(world: AskedPhase, force: str, when: str) -> t.Node:

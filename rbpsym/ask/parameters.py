@@ -6,10 +6,10 @@ import re
 from collections.abc import Callable
 from contextlib import suppress
 
-from rbpsym.ask import ahead, branches, made, optima, special, through, yesno
+from rbpsym.ask import ahead, made, optima, special, yesno
 from rbpsym.ask.asked import Asked, NotMet
 from rbpsym.ask.certified import LETTER
-from rbpsym.ask.concluded import concluded
+from rbpsym.ask.concluded import beyond, concluded, either, joined
 from rbpsym.ask.finding import Finding, together
 from rbpsym.ask.found import Answer
 from rbpsym.ask.question import ASKED, PHASE, SUPERLATIVES
@@ -58,22 +58,22 @@ ROWS: Rows = (
     (rf"(.+) for (?:very )?(?:small|light|short|weak|thin) {_N}", lambda w, what, name: special.near(w, what, name, "0")),
     (rf"(.+) for (?:very )?(?:large|heavy|long|strong) {_N}", lambda w, what, name: special.near(w, what, name, "oo")),
     (rf"{_N} and {_N} (?:with|of|for) (?:equal|same) (.+)", optima.with_equal),
-    (rf"for which {_N} is (.+) {_BEST}", through.extreme_for),
-    (rf"{_N} where (.+) is {_BEST}", through.extreme_for),
-    (rf"where is (.+) {_BEST}", lambda w, phrase, best: through.extreme_for(w, None, phrase, best)),
+    (rf"for which {_N} is (.+) {_BEST}", ahead.extreme_for),
+    (rf"{_N} where (.+) is {_BEST}", ahead.extreme_for),
+    (rf"where is (.+) {_BEST}", lambda w, phrase, best: ahead.extreme_for(w, None, phrase, best)),
     (rf"for which {_N} (?:is|does|do|has) (.+)", lambda w, name, text: ahead.which(w, None, name, _told_after(text))),
     (rf"(?:critical|limiting) (?:value of )?{_N} {_FOR} (.+)", lambda w, name, text: ahead.which(w, None, name, text)),
     (rf"{_N} {_FOR} (.+) is {_BEST}( (?:when|where|at|right|just) .+)?",
-     lambda w, name, phrase, best, there: through.extreme_for(w, name, phrase + (there or ""), best)),
+     lambda w, name, phrase, best, there: ahead.extreme_for(w, name, phrase + (there or ""), best)),
     (rf"{_BEST} {_N} {_FOR} (.+)", ahead.which),
     (rf"{_BEST} (.+) {_FOR} (.+)", ahead.bounded),
     (rf"{_N} {_FOR} (.+)", lambda world, name, text: ahead.which(world, None, name, text)),
-    (rf"{_NO_MODE}{_BEST} (.+?) {_WAY}", through.until),
+    (rf"{_NO_MODE}{_BEST} (.+?) {_WAY}", ahead.until),
     (rf"{_NO_MODE}{_BEST} (.+?) (?:until|up to) ([\w-]+)(?: begins)?",
-     lambda w, best, phrase, phase: through.extremum(w, best, phrase, None, None, None, until=phase)),
+     lambda w, best, phrase, phase: ahead.extremum(w, best, phrase, None, None, None, until=phase)),
     (rf"{_BEST} (.+) over {_N} ((?:where|when|at|right) .+)",
-     lambda w, best, phrase, name, place: through.extremum(w, best, f"{phrase} {place}", name, None, None)),
-    (rf"{_NO_MODE}{_BEST} ({_APART}|.+?)(?: over {_N})?{_BETWEEN}", through.extremum),
+     lambda w, best, phrase, name, place: ahead.extremum(w, best, f"{phrase} {place}", name, None, None)),
+    (rf"{_NO_MODE}{_BEST} ({_APART}|.+?)(?: over {_N})?{_BETWEEN}", ahead.extremum),
     (r"(.+) (?:with|for|if) (\w+ ?= ?.+)", special.with_values),
 )
 
@@ -132,14 +132,14 @@ def of_parameters(asked: Asked, text: str, letter: str = LETTER) -> Answer | Non
         return None
     found = _at_rest(asked, *found) or found
     with suppress(RbpsymError):
-        other = branches.beyond(found[0], found[1].symbol) if found[1].symbol else None
+        other = beyond(found[0], found[1].symbol) if found[1].symbol else None
         if other is not None:
-            return branches.joined(text, found, there(finding(other[0], text)), other[1], letter)
+            return joined(text, found, there(finding(other[0], text)), other[1], letter)
     is_equation = found[1].rule == "vanishes_for" and found[1].values
     side = turned(asked, found[0].demands, found[1].symbol) if is_equation else None
     if side is not None:
         with suppress(NotMet):  # from there the motion does not come so far: the condition on its sense is told
-            return branches.either(text, found, there(finding(side, text)), letter)
+            return either(text, found, there(finding(side, text)), letter)
     return concluded(found[0], text, found[1], letter)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import prod
 
 from rbpsym.decide.assumptions import Assumptions
@@ -103,7 +103,7 @@ def sign_along(value: Scalar, name: str, given: Assumptions, known: Known = lamb
         return below * sign_along(Scalar(value.num), name, given, known, most)
     limits = of_symbol(name, given)
     ends = [end for end in (limits.lower, limits.upper) if end is not None]
-    if len(ends) < 2 or limits.lower_in or limits.upper_in or not most or not _is_smooth(value, name):
+    if len(ends) < 2 or limits.lower_in or limits.upper_in or not most or not _is_smooth(value, name, given, ends):
         return 0  # at an end that belongs to the range it may vanish
     there = [rooted(substitute(value, {name: end}), given) for end in ends]
     slope = derivative(value, name)
@@ -147,12 +147,18 @@ def _in_halves(value: Scalar, name: str) -> list[Scalar]:
     return parts if len(rest) > 1 and parts[1:] != [Scalar(rest)] else []
 
 
-def _is_smooth(value: Scalar, name: str) -> bool:
-    """Whether the value is a polynomial in the quantity, in waves and exponentials of what changes evenly with it."""
+def _is_smooth(value: Scalar, name: str, given: Assumptions, ends: Sequence[Scalar]) -> bool:
+    """Whether the value is a polynomial in the quantity, in waves and exponentials of what changes evenly with it, and in roots
+    of what is such a one and positive (below a line, at the ends too)."""
     inner = {(atoms.atom(index), power > 0) for term in value.num.terms for index, power in term if atom_depends(index, name)}
-    return bool(inner) and all(is_above and (atom.kind == "symbol" or _is_even(atom, name)) for atom, is_above in inner)
+    return value.den is ONE and bool(inner) and all(_is_plain(*item, name, given, ends) for item in inner)
 
 
-def _is_even(atom: atoms.Atom, name: str) -> bool:
-    is_wave = atom.kind in ("sin", "cos", "exp")
-    return is_wave and not depends_on(derivative(atom.arg if isinstance(atom.arg, Scalar) else Scalar(atom.arg), name), name)
+def _is_plain(atom: atoms.Atom, is_above: bool, name: str, given: Assumptions, ends: Sequence[Scalar]) -> bool:
+    if atom.kind not in ("sin", "cos", "exp", "root"):
+        return is_above and atom.kind == "symbol"
+    arg = atom.arg if isinstance(atom.arg, Scalar) else Scalar(atom.arg)
+    if atom.kind == "root":
+        values = [arg, *(substitute(arg, {name: end}) for end in ends if not is_above)]
+        return _is_smooth(arg, name, given, ends) and all(sign(value, given).kind == "positive" for value in values)
+    return is_above and not depends_on(derivative(arg, name), name)

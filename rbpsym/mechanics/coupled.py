@@ -6,23 +6,37 @@ has s = 0. About a place of rest the accelerations are those to first order. Gol
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 
 from rbpsym.decide.rooted import neat, root_of
 from rbpsym.decide.signs import sign
 from rbpsym.errors import NotApplicable, Undecided
-from rbpsym.field import NOTHING, UNITY, Scalar, derivative, is_zero, names_in, short, substitute, symbol, total
+from rbpsym.field import (
+    NOTHING,
+    UNITY,
+    Scalar,
+    depends_on,
+    derivative,
+    is_zero,
+    names_in,
+    short,
+    substitute,
+    symbol,
+    total,
+    without_even_roots,
+)
 from rbpsym.field.integration import definite
 from rbpsym.frozen import Frozen, replace
-from rbpsym.mechanics import slipping, solutions
-from rbpsym.mechanics.demands import existence
+from rbpsym.mechanics import solutions
+from rbpsym.mechanics.demands import Demand, existence, settle
 from rbpsym.mechanics.elimination import Matrix, determinant, solve_linear, solve_matrix
 from rbpsym.mechanics.forms import AccelerationForm, driven_form
 from rbpsym.mechanics.friction import slips
 from rbpsym.mechanics.orbit import swinging
 from rbpsym.mechanics.roots import numerator_factors, zeros
-from rbpsym.mechanics.solutions import Given, InTime
+from rbpsym.mechanics.solutions import TIME, Given, InTime
+from rbpsym.mechanics.solved import time_to
 from rbpsym.mechanics.study import Study
 
 
@@ -82,7 +96,7 @@ def courses(study: Study, law: CoupledLinear | None, solved: Callable[[Given], I
         modes.append(replace(mode, valid=()) if law.is_stable or roots[value] else mode)
     parts = solve_matrix(tuple(row for _, row in rows), [symbol(f"mode {k}") for k in range(len(rows))])
     found = dict(zip(law.names, (_summed(part, modes) for part in parts), strict=True))
-    held = tuple(slipping.lasting(known, found)) if slips(study.system) else ()
+    held = tuple(lasting(known, found)) if slips(study.system) else ()
     return {name: replace(one, valid=(*one.valid, *held)) for name, one in found.items()}
 
 
@@ -181,3 +195,22 @@ def _rows(stiffness: Matrix, value: Scalar) -> list[tuple[Scalar, ...]]:
 
 def _sum(row: Iterable[Scalar], others: Iterable[Scalar]) -> Scalar:
     return total(a * b for a, b in zip(row, others, strict=True))
+
+
+def lasting(known: Given, found: Mapping[str, InTime]) -> Iterator[Demand]:
+    """What is asked of the time: that no slip has changed its sense since the start. That is said as t ≤ the first time at
+    which one vanishes, if there surely is one and a formula gives it, else of the slip as far as the courses `found` tell
+    it, which has to be met from the start on."""
+    study, at, letters = known.study, dict[str, Scalar](), dict[str, Scalar]()
+    for name, one in found.items():
+        at |= {name: one.place, f"{name}_dot": derivative(one.place, "t")}
+        letters |= one.letters
+    for slip in slips(study.system).values():
+        told = short(without_even_roots(substitute(slip, at)))
+        if not names_in(told) & {"t", *study.system.coordinates, *study.system.speeds} or not depends_on(short(told / TIME), "t"):
+            continue  # it stays what it is at the start, or grows from rest as it begins to
+        first = time_to(told, known, letters)
+        if first is not None and settle(first[1], study.assumptions) == ():
+            yield Demand(short(substitute(first[0], letters) - TIME), ">=")
+        else:
+            yield Demand(short(without_even_roots(substitute(told, letters))), ">=")

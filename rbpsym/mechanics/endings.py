@@ -6,25 +6,27 @@ integral; the time is known in the first case only.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from rbpsym.decide.signs import sign
 from rbpsym.elements.events import EVENTS
 from rbpsym.elements.kinds import KindParts
 from rbpsym.errors import NotApplicable, StatementError, Undecided, there
-from rbpsym.field import Scalar, depends_on, is_zero, names_in, short, substitute, symbol, time_derivative
+from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, short, substitute, symbol, time_derivative
 from rbpsym.field.roots import without_even_roots
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics import strings
-from rbpsym.mechanics.arrivals import EDGE, ArrivalState, at_start, first_met, of_coordinate, positive_root, state_at
+from rbpsym.mechanics.arrivals import EDGE, ArrivalState, at_start, first_met, mover, of_coordinate, positive_root, state_at
 from rbpsym.mechanics.contacts import meeting
 from rbpsym.mechanics.demands import Demand, existence, possible, settle
-from rbpsym.mechanics.forms import gathered
+from rbpsym.mechanics.forms import AccelerationForm, gathered
 from rbpsym.mechanics.geometry import Geometry
 from rbpsym.mechanics.led import led_to, put
 from rbpsym.mechanics.numbers import floating, sample, samples
 from rbpsym.mechanics.roots import factor_zeros, factors_in
+from rbpsym.mechanics.solutions import Given
+from rbpsym.mechanics.solved import time_to
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Coordinate, Element, Phase
 from rbpsym.statement.scope import CLOCK
@@ -46,6 +48,47 @@ def first_place(study: Study, phase: Phase, name: str, what: str, *gaps: Scalar,
         raise no_closed_form(f"the place where “{phase.subject}” {what}") if what else never(study, phase, UNKNOWN)
     place, asked, sense = found
     return replace(state_at(study, name, place, sense), valid=possible(asked, study.assumptions, never(study, phase)))
+
+
+def first_moment(study: Study, phase: Phase, what: str, *gaps: Scalar, gives_way: bool = False) -> ArrivalState:
+    """The same where the accelerations are functions of the time alone: the state at the first moment."""
+    if not are_uniform(study, CLOCK):
+        raise no_closed_form(f"the place where “{phase.subject}” {what}")
+    course, now = after(study, phase, at_start(study), symbol(CLOCK), ()).image, {CLOCK: NOTHING}
+    known = Given(AccelerationForm(NOTHING), NOTHING, NOTHING, study, "")  # signs are all that is asked of it
+    values = [short(substitute(study.on_motion(gap), course)) for gap in gaps]
+    asked = [Demand(short(substitute(value, now)), ">=") for value in values] if gives_way else []
+    times = [time_to(value, known, {}) for value in values if depends_on(value, CLOCK)]
+    if not all(times):
+        raise no_closed_form(f"the moment at which “{phase.subject}” {what}")
+    met = [(time, demands) for time, demands in map(there, times) if settle(demands, study.assumptions) is not None]
+    for numbers in samples(study.problem):
+        ahead = [item for item in met if floating(item[0], numbers) > EDGE]
+        if ahead and all(floating(one.value, numbers) >= 0 for one in asked):
+            first, demands = min(ahead, key=lambda item: floating(item[0], numbers))
+            later = [Demand(time - first, ">=") for time, _ in ahead if time is not first]
+            return after(study, phase, at_start(study), first, [*asked, *demands, *later])
+    raise never(study, phase, UNKNOWN if met else "never reached")
+
+
+def first_of_forces(
+    study: Study, phase: Phase, what: str, gaps: Callable[[Callable[[str], Scalar]], Sequence[Scalar]], *, gives_way: bool = False
+) -> ArrivalState:
+    """The same for values of unknown forces: by the place along the motion, else by the time."""
+    along, name = study.reactions_along_motion, mover(study)
+    if not along or name is None:
+        return first_moment(study, phase, what or "has this value", *gaps(symbol), gives_way=gives_way)
+    return first_place(study, phase, name, what, *gaps(along.__getitem__), gives_way=gives_way)
+
+
+def run_out(study: Study, phase: Phase, first: Scalar, gain: Scalar, *asked: Demand) -> ArrivalState:
+    """When what is there at first and changes at a constant rate has gone, where what is asked is met."""
+    if is_zero(gain) or settle(asked, study.assumptions) is None:
+        raise never(study, phase)
+    time = short(-(first / gain))
+    if all(floating(time, numbers) < 0 for numbers in samples(study.problem)):
+        raise never(study, phase, UNKNOWN)
+    return after(study, phase, at_start(study), time, asked)
 
 
 def uniform_motion(study: Study, time: Scalar) -> ArrivalState:

@@ -99,43 +99,50 @@ def _power(system: System, dynamics: Dynamics) -> Scalar:
 
 
 def effective_potential(system: System, dynamics: Dynamics) -> Scalar | None:
-    """-∫ Q dq for one coordinate whose generalized force Q depends on position alone."""
-    if len(system.independent) != 1 or not all(dynamics.ideal.values()) or system.implicit:
+    """-∫ Q dq of generalized forces Q that depend on position alone and have one, whatever interactions they come from.
+
+    Q_i = f_i + d(Σ M_ij q̇_j)/dt - ∂T/∂q_i at kept speeds.
+    """
+    if not (system.independent and all(dynamics.ideal.values())) or system.implicit:
         return None
-    [name], [forcing] = system.independent, dynamics.forcing
-    [[inertia]] = dynamics.mass_matrix
-    speed = f"{name}_dot"
-    force = short(forcing + derivative(inertia, name) * symbol(speed) ** 2 * HALF)
-    if depends_on(force, speed) or depends_on(force, "t"):
-        return None
-    found = antiderivative(force, name)
-    return None if found is None else -found
+    names, speeds = system.independent, [symbol(speed) for speed in system.speeds]
+    momenta, moving = _momenta(system, dynamics), _moving(system, dynamics)
+    forces, found = [], NOTHING
+    for name, forcing, momentum in zip(names, dynamics.forcing, momenta, strict=True):
+        carried = sum((derivative(momentum, other) * v for other, v in zip(names, speeds, strict=True)), NOTHING)
+        forces.append(short(forcing + carried - derivative(moving, name)))
+        part = antiderivative(forces[-1] + derivative(found, name), name)
+        if part is None or any(depends_on(forces[-1], other) for other in ("t", *system.speeds)):
+            return None
+        found = found - part
+    closed = all(is_zero(force + derivative(found, name)) for name, force in zip(names, forces, strict=True))
+    return found if closed else None
+
+
+def _momenta(system: System, dynamics: Dynamics) -> list[Scalar]:
+    """Σ M_ij q̇_j."""
+    speeds = [symbol(speed) for speed in system.speeds]
+    return [sum((m * v for m, v in zip(row, speeds, strict=True)), NOTHING) for row in dynamics.mass_matrix]
+
+
+def _moving(system: System, dynamics: Dynamics) -> Scalar:
+    """½ Σ M_ij q̇_i q̇_j."""
+    return sum((p * symbol(v) for p, v in zip(_momenta(system, dynamics), system.speeds, strict=True)), NOTHING) * HALF
 
 
 def first_integral(system: System, dynamics: Dynamics) -> Scalar | None:
-    """A constant of the motion quadratic in the speeds: T + U, or T - ∫Q dq; None where masses are not stated."""
+    """A constant of the motion quadratic in the speeds: T + U, or T - ∫Q dq, relative to supports that are driven ½ Σ M q̇ q̇ -
+    ∫Q dq (Jacobi's integral); None where masses are not stated.
+
+    Goldstein, Classical Mechanics, 2.7.
+    """
     if system.problem.unstated:
         return None
-    if system.has_clock:
-        return relative_energy(system, dynamics)
-    total = sum(kinetic_energy(system), NOTHING)
-    potential = potential_energy(system)
+    potential = None if system.has_clock else potential_energy(system)
     if potential is None:
         potential = effective_potential(system, dynamics)
     if potential is None:
         return None
-    energy = short(total + potential)
-    return energy if is_conserved(system, dynamics, energy) is not False else None
-
-
-def relative_energy(system: System, dynamics: Dynamics) -> Scalar | None:
-    """½ m(q) q̇² - ∫Q dq for one coordinate relative to supports that are driven (Jacobi's integral).
-
-    Goldstein, Classical Mechanics, 2.7. None if it is not constant.
-    """
-    potential = effective_potential(system, dynamics)
-    if potential is None:
-        return None
-    [name], [[inertia]] = system.independent, dynamics.mass_matrix
-    energy = short(inertia * symbol(f"{name}_dot") ** 2 * HALF + potential)
+    moving = _moving(system, dynamics) if system.has_clock else sum(kinetic_energy(system), NOTHING)
+    energy = short(moving + potential)
     return energy if is_conserved(system, dynamics, energy) is not False else None

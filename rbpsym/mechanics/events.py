@@ -14,10 +14,12 @@ from rbpsym.decide.assumptions import Assumptions
 from rbpsym.decide.signs import sign
 from rbpsym.field import NOTHING, PI, Scalar, atoms, depends_on, derivative, is_zero, short, substitute
 from rbpsym.frozen import Frozen, replace
+from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.constraints import JOINTS
 from rbpsym.mechanics.demands import Demand, assuming, existence, settle, turned
 from rbpsym.mechanics.dynamics import Dynamics
-from rbpsym.mechanics.friction import spare
+from rbpsym.mechanics.friction import geometry_of, spare
+from rbpsym.mechanics.interactions import LAWS
 from rbpsym.mechanics.roots import factor_zeros, factors_in, period
 from rbpsym.mechanics.system import System
 from rbpsym.statement.model import Element
@@ -269,3 +271,13 @@ def _comes_first(way: Way, place: Scalar, held: list[Scalar], given: Assumptions
     """Whether up to the place the motion goes on, and every force keeps its sign."""
     between = way.until(place, given)
     return all(sign(value, between).kind == "positive" for value in (way.square, *held))
+
+
+def taken(system: System) -> Iterator[tuple[Element, Scalar]]:
+    """What is positive where things are as they were taken to be, in the free coordinates."""
+    geometry = geometry_of(system)
+    setting = setting_of(system, geometry.where)
+    problem = system.problem
+    found = [(element, JOINTS[element.kind].taken(element, geometry)) for element in problem.constraints]
+    found += [(element, LAWS[element.kind].taken(element, setting)) for element in problem.interactions]
+    yield from ((element, substitute(value, system.dependent)) for element, values in found for value in values)

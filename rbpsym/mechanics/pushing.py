@@ -14,11 +14,10 @@ from rbpsym.elements.interactions import LETTERS
 from rbpsym.errors import LimitError, StatementError
 from rbpsym.field import NOTHING, Scalar, depends_on, is_zero, names_in, short, substitute, time_derivative
 from rbpsym.mechanics.demands import Demand, possible, settle
-from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.events import pushes, taken
 from rbpsym.mechanics.friction import resistances, slips, spare
 from rbpsym.mechanics.numbers import Numbers, bound, floating, sample, samples
 from rbpsym.mechanics.study import Study
-from rbpsym.mechanics.ways import taken
 from rbpsym.present.forms import present
 from rbpsym.statement.model import Element
 from rbpsym.typeset.machine import to_machine

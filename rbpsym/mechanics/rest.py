@@ -15,11 +15,10 @@ from rbpsym.frozen import Frozen
 from rbpsym.mechanics.demands import Demand, existence, settle, turned
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant
-from rbpsym.mechanics.events import pushes
+from rbpsym.mechanics.events import pushes, taken
 from rbpsym.mechanics.friction import spare, stops
 from rbpsym.mechanics.roots import At, common_zeros, factors_in
 from rbpsym.mechanics.system import System
-from rbpsym.mechanics.ways import taken
 
 MOST_TURNS = 8
 LONGEST = 400  # terms: signs of what is longer are not looked for

@@ -137,13 +137,13 @@ def courses(known: Given) -> Iterator[InTime]:
 
 def lasting(known: Given, one: InTime) -> InTime:
     """The course, valid as long as kinetic friction keeps its sense on it; of other coordinates the one course that each has."""
-    from rbpsym.mechanics import slipping
+    from rbpsym.mechanics import coupled
     if not known.name or not slips(known.study.system):
         return one
     others = {name: given(known.study, name) for name in known.study.system.independent if name != known.name}
     cases = {name: tuple(_cases(other)) for name, other in others.items() if other is not None}
     alone = {name: found[0] for name, found in cases.items() if len(found) == 1}
-    return replace(one, valid=(*one.valid, *slipping.lasting(known, {**alone, known.name: one})))
+    return replace(one, valid=(*one.valid, *coupled.lasting(known, {**alone, known.name: one})))
 
 
 def driven(known: Given) -> InTime:

@@ -9,7 +9,7 @@ Kleppner & Kolenkow 2.4, 7.6.
 from __future__ import annotations
 
 from rbpsym.errors import StatementError
-from rbpsym.field import QUARTER, UNITY, Scalar, Vector, depends_on, is_rooted, is_zero, polar, symbol, tidy
+from rbpsym.field import NOTHING, QUARTER, UNITY, Scalar, Vector, depends_on, is_rooted, is_zero, polar, symbol, tidy
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import Geometry, no_direction
@@ -149,11 +149,17 @@ def speeds_along(element: Element, geometry: Geometry) -> tuple[tuple[str, Scala
 
 
 def gap(element: Element, geometry: Geometry) -> Scalar | None:
-    """The distance minus the given length, along one line; else the same of their squares; None if no length is given."""
+    """The distance minus the given length, along one line; else the same of their squares; None if no length is given.
+    Raises StatementError where nothing says which of two points along a line is ahead."""
     if element["length"] is None:
         return None
     first, second = (geometry.where(turn.center) for turn in element["path"])
     apart, length = (second - first).settled(), scalar(element["length"])
-    if len(apart.parts) == 1 and (sign := geometry.sign(next(iter(apart.parts.values())))):
-        return next(iter(apart.parts.values())) * sign - length
+    [way, *more] = apart.parts.values() or [NOTHING]
+    if not more and (open_ := next((name for name in sorted(geometry.unsaid) if depends_on(way, name)), None)):
+        ends = " and ".join(f"“{turn.center.label}”" for turn in element["path"])
+        what = f"nothing says on which side of each other {ends} are, which the {element.kind} “{element.name}” joins"
+        raise StatementError(what, instead=f"say where “{open_}” is at the start, or give it a range.", place=element.place)
+    if not more and (sign := geometry.sign(way)):
+        return way * sign - length
     return apart.dot(apart) - length**2

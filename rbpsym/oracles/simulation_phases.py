@@ -84,10 +84,11 @@ def _compare(
     """`ended` is told how long the phase before has lasted."""
     bench, next_bench, began = _bench(study, numbers), _bench(after.study, numbers), there(after.began)
     derived = {name: number(value, numbers) for name, value in began.before.places.items()}
-    end = _end(bench, phase, study, derived, numbers)
+    time = None if began.before.time is None else number(began.before.time, numbers)
+    end = _end(bench, phase, study, derived, time or 0.0)
     ended(end.time)
-    if began.before.time is not None:
-        errors.note("time", "until the phase", number(began.before.time, numbers), end.time)
+    if time is not None:
+        errors.note("time", "until the phase", time, end.time)
     guess = [derived[name] for name in bench.placement.names]
     q, rates = bench.placement.state(end.where.tolist(), end.speed.tolist(), guess)
     speed, impulses = struck(bench, next_bench, end, phase.impulses)
@@ -111,7 +112,7 @@ def _note(
 # --- the event
 
 
-def _end(bench: Bench, phase: Phase, study: Study, derived: Mapping[str, float], numbers: Mapping[str, float]) -> End:
+def _end(bench: Bench, phase: Phase, study: Study, derived: Mapping[str, float], time: float) -> End:
     """The simulated state at the event. Raises NotApplicable if it does not come."""
     bench.placement.mechanism.clock = 0.0
     start = bench.declared_start()
@@ -119,9 +120,9 @@ def _end(bench: Bench, phase: Phase, study: Study, derived: Mapping[str, float],
         raise NotApplicable("the phases need a start and a start speed of every coordinate")
     if phase.event == "at once":
         return End(0.0, start.where, start.speed)
-    if _is_idle(bench, start):
+    if study.squares and _is_idle(bench, start):  # what is pushed by the time alone moves off
         start = _on_the_way(bench, study, derived)
-    return _seen(bench, start, WATCHES[phase.event](bench, phase, start))
+    return _seen(bench, start, WATCHES[phase.event](bench, phase, start), time)
 
 
 def _is_idle(bench: Bench, start: Start) -> bool:
@@ -140,12 +141,17 @@ def _on_the_way(bench: Bench, study: Study, derived: Mapping[str, float]) -> Sta
     return bench.start({name: here}, {name: rate if derived[name] > begin else -rate}, (name,))
 
 
-def _seen(bench: Bench, start: Start, watch: Watch) -> End:
-    """The first change of sign along the motion."""
+def _seen(bench: Bench, start: Start, watch: Watch, time: float) -> End:
+    """The first change of sign along the motion; it is looked for longer than it is said to take."""
     size, step = bench.equations.size, bench.usual_time(start)
-    event = integration.Event(lambda time, state: watch(time, state[:size], state[size : 2 * size]))
+
+    def left(time: float, state: np.ndarray) -> float:
+        bench.placement.mechanism.clock = float(state[-1])
+        return watch(time, state[:size], state[size : 2 * size])
+
+    event = integration.Event(left)
     first = np.concatenate([start.where, start.speed, [0.0]])
-    path = integration.followed(bench.rate(), first, LONGEST * step, events=(event,), longest=step / 10)
+    path = integration.followed(bench.rate(), first, max(LONGEST * step, 2 * time), events=(event,), longest=step / 10)
     if not path.seen[0]:
         raise NotApplicable("the event that begins a phase is not seen in the simulated motion")
     [time] = path.seen[0]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -119,8 +119,14 @@ def _rubs(world: ProblemWorld) -> Iterator[str]:
     yield from (f"friction {name}" for name in named if name in world.forces_known)
 
 
+def swinging(world: ProblemWorld) -> Sequence[str]:
+    """The coordinates that a place of rest tells, if there are some: of those that are free to go anywhere nothing swings."""
+    names = world.study.system.independent
+    return [name for name in names if any(name in item.at for item in world.study.equilibria)] or names
+
+
 def _coordinates(noun: str, world: ProblemWorld) -> Iterator[str]:
-    yield from (f"{noun} of {name}" for name in world.study.system.independent)
+    yield from (f"{noun} of {name}" for name in swinging(world))
 
 
 def _moves(noun: str, world: ProblemWorld) -> Iterator[str]:

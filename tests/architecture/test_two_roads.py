@@ -25,8 +25,7 @@ SHARED = {  # what a checker takes from the mechanics beside these, with the rea
     ("rbpsym.proof.checks.oscillations", "rbpsym.mechanics.demands"): "conditions of a place as assumptions",
     ("rbpsym.proof.checks.solutions", "rbpsym.mechanics.demands"): "conditions of a step as assumptions",
     ("rbpsym.proof.checks.places", "rbpsym.mechanics.demands"): "conditions of a place as assumptions",
-    ("rbpsym.proof.checks.places", "rbpsym.mechanics.events"): "which forces are one-sided is the statement",
-    ("rbpsym.proof.checks.places", "rbpsym.mechanics.ways"): "how strings run and springs lie is the statement",
+    ("rbpsym.proof.checks.places", "rbpsym.mechanics.events"): "which forces are one-sided, and how strings run and springs lie",
 }
 
 

@@ -7,14 +7,14 @@ from functools import wraps
 
 import pytest
 
-from rbpsym.ask import asking, branches, parameters
+from rbpsym.ask import asking, concluded, parameters
 from rbpsym.ask.found import Answer
 from tests.ask import law, told
 
 
 @pytest.fixture(autouse=True)
 def _lawful(monkeypatch: pytest.MonkeyPatch) -> None:
-    for module, name in ((parameters, "concluded"), (branches, "concluded"), (asking, "answer")):
+    for module, name in ((parameters, "concluded"), (concluded, "concluded"), (asking, "answer")):
         monkeypatch.setattr(module, name, _kept(getattr(module, name)))
 
 

@@ -30,6 +30,14 @@ ANSWERS = (
     ("grinding-wheel", "time until the wheel stops", "I/c*ln(1 + c*omega_0/M_f)"),
     ("grinding-wheel", "angle turned by wheel until the wheel stops", "-(I*M_f/c**2*ln(1 + c*omega_0/M_f) - I*omega_0/c)"),
     ("hoop-with-body", "smallest v_0 for which phi reaches pi", "sqrt(2*m*g*R/M)"),
+    ("pull-that-grows", "time until slipping", "mu*m_2*g*(m_1 + m_2)*T_1/(q*m_1)"),
+    ("pull-that-grows", "acceleration of x in phase slipping", "mu*m_2*g/m_1"),
+    ("skaters-on-rope", "work of T until r = r_0/2", "3*m*v**2"),
+    ("beam-on-forces", "frequency of theta", "sqrt(6*k/M)"),
+    ("collar-beside-hook", "speed of y where y = 3*b/4", "sqrt(3*g*b/2 - k*b**2/(16*m))"),
+    ("collar-beside-hook", "k for which y comes to rest at y = 3*b/4", "24*m*g/b"),
+    ("collar-beside-hook", "k for which y where y comes to rest = 3*b/4", "24*m*g/b"),
+    ("rod-on-wire", "length of the simple pendulum with equal period", "L/6"),
 )  # fmt: skip
 
 

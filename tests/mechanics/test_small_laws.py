@@ -75,11 +75,22 @@ def test_a_speed_that_is_known_leaves_the_first_integral():
 
 
 def test_a_resistance_has_no_potential():
-    system = Told(independent=("x",), implicit=())
+    system = Told(independent=("x",), speeds=("x_dot",), implicit=())
     for force, potential in ((-m * g, m * g * x), (-m * g - symbol("b") * u, None), (-m * g * symbol("t"), None)):
         dynamics = Told(ideal={}, forcing=(force,), mass_matrix=((m,),))
         found = effective_potential(system, dynamics)
         assert (found is None) if potential is None else same(found, potential)
+
+
+@pytest.mark.parametrize("twist", [1, 2])
+def test_forces_along_several_coordinates_have_a_potential_where_they_are_its_slopes(twist):
+    """Q_x = -k y, Q_y = -k x come from k x y; Q_y = -2 k x goes round and has none. In polar places the inertia takes no part."""
+    x, y, k = symbol("x"), symbol("y"), symbol("k")
+    system = Told(independent=("x", "y"), speeds=("x_dot", "y_dot"), implicit=())
+    forces = (-k * y + m * x * v * v, -k * x * twist - m * x * u * v * 2)
+    dynamics = Told(ideal={}, forcing=forces, mass_matrix=((m, NOTHING), (NOTHING, m * x * x)))
+    found = effective_potential(system, dynamics)
+    assert same(found, k * x * y) if twist == 1 else found is None
 
 
 def is_real(place) -> bool:

@@ -8,6 +8,7 @@ import pytest
 
 from rbpsym.derive import derive
 from rbpsym.errors import StatementError
+from rbpsym.field import symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.normal import is_zero
 from rbpsym.mechanics.phases import stages
@@ -264,3 +265,40 @@ def test_more_than_three_coupled_coordinates_are_solved_for_where_that_is_short(
     )
     assert differences(system) == []
     assert complaints(system.text) == []
+
+
+LINKED = """
+[parameters]
+L = "length"
+M = "mass"
+P = "force"
+[coordinates.x]
+dimension = "length"
+start = "0"
+[coordinates.y]
+dimension = "length"
+[bodies.a]
+shape = "particle"
+mass = "M"
+center = ["x", "0"]
+[bodies.b]
+shape = "particle"
+mass = "M"
+center = ["y", "0"]
+[interactions.D]
+type = "force"
+on = "a.center"
+force = ["P", "0"]
+[constraints.S]
+type = "link"
+points = ["a.center", "b.center"]
+length = "L"
+"""
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_on_which_side_a_link_along_a_line_holds_is_stated(side: int) -> None:
+    with pytest.raises(StatementError, match="on which side"):
+        derive(load_text(LINKED), simulation=False)
+    begun = load_text(LINKED.replace("[bodies.a]", f'start = "{side}*L"\n[bodies.a]'))
+    assert derive(begun, simulation=False).study.system.dependent["y"] == symbol("x") + symbol("L") * side

@@ -98,6 +98,11 @@ def force_there(context: Context, name: str) -> Scalar:
     return (context.study.reactions_along_motion or {})[name]
 
 
+def force_then(context: Context, name: str) -> Scalar:
+    """An unknown force as a function of the time."""
+    return moved_to(context, context.on_motion(symbol(name)), symbol("t"))[0]
+
+
 def closing(system: System, element: Element) -> Scalar:
     """How far what meets is apart; half the difference of the squares for the ends of a string of a length, and circles."""
     geometry = geometry_of(system)

@@ -17,8 +17,7 @@ from rbpsym.field import NOTHING, PI, ZERO, Scalar, cosine, depends_on, is_zero,
 from rbpsym.field.evaluate import scalar
 from rbpsym.field.roots import with_image, with_root_taken_out, without_even_roots
 from rbpsym.mechanics.demands import Demand, assuming
-from rbpsym.mechanics.events import pushes
-from rbpsym.mechanics.ways import taken
+from rbpsym.mechanics.events import pushes, taken
 from rbpsym.proof.checks.of_steps import along_motion, weakest
 from rbpsym.proof.context import Context
 from rbpsym.proof.step import Step

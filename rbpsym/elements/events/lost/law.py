@@ -17,12 +17,9 @@ def _ends(study: Study, phase: Phase) -> ArrivalState:
         cure = "name a contact or a string, or let another event begin the phase."
         raise endings.cannot_end(phase, element, f"is lost, but a {element.kind} holds to both sides", cure)
     loss = next((item for item in study.losses if item.force == phase.subject and item.at), None)
-    name, along = mover(study), study.reactions_along_motion
-    if loss is not None and name is not None and name in loss.at:
+    if loss is not None and (name := mover(study)) is not None and name in loss.at:
         return replace(state_at(study, name, loss.at[name]), valid=loss.valid)
-    if not along or name is None:
-        raise endings.no_closed_form(f"the place where “{phase.subject}” is lost")
-    return endings.first_place(study, phase, name, "is lost", along[phase.subject], gives_way=True)
+    return endings.first_of_forces(study, phase, "is lost", lambda of: (of(phase.subject),), gives_way=True)
 
 
 LAW = endings.EventLaw(_ends, lambda study, phase: symbol(phase.subject))

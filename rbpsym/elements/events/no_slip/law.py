@@ -4,9 +4,8 @@ from rbpsym.field import NOTHING, Scalar, is_zero, short, substitute, time_deriv
 from rbpsym.mechanics import endings
 from rbpsym.mechanics.arrivals import ArrivalState, at_start, mover
 from rbpsym.mechanics.contacts import meeting, slip_speed
-from rbpsym.mechanics.demands import Demand, settle
+from rbpsym.mechanics.demands import Demand
 from rbpsym.mechanics.friction import geometry_of
-from rbpsym.mechanics.numbers import floating, samples
 from rbpsym.mechanics.study import Study
 from rbpsym.mechanics.system import by_letters
 from rbpsym.statement.model import Phase
@@ -27,12 +26,7 @@ def _ends(study: Study, phase: Phase) -> ArrivalState:
     if is_zero(first):
         cure = "where two contacts stop slipping at the same moment, let both roll from one phase on."
         raise endings.cannot_end(phase, element, "stops slipping, and it does not slip any more before", cure)
-    asked = [Demand(-(first * gain))]
-    if is_zero(gain) or settle(asked, study.assumptions) is None:
-        raise endings.never(study, phase)
-    if all(floating(-(first / gain), numbers) < 0 for numbers in samples(study.problem)):
-        raise endings.never(study, phase, endings.UNKNOWN)
-    return endings.after(study, phase, start, short(-(first / gain)), asked)
+    return endings.run_out(study, phase, first, gain, Demand(-(first * gain)))
 
 
 def _at_rest(study: Study, phase: Phase, slip: Scalar) -> ArrivalState:

@@ -1,7 +1,7 @@
 """Where static friction is at its limit."""
 
 from rbpsym.mechanics import endings
-from rbpsym.mechanics.arrivals import ArrivalState, mover
+from rbpsym.mechanics.arrivals import ArrivalState
 from rbpsym.mechanics.friction import spare
 from rbpsym.mechanics.study import Study
 from rbpsym.statement.model import Phase
@@ -12,10 +12,7 @@ def _ends(study: Study, phase: Phase) -> ArrivalState:
     element = study.system.element(phase.subject)
     if element.values.get("limit") is None:
         raise endings.cannot_end(phase, element, "slips, but its static friction has no limit", 'give it a limit = "mu".')
-    along, name = study.reactions_along_motion, mover(study)
-    if not along or name is None:
-        raise endings.no_closed_form(f"the place where “{phase.subject}” slips")
-    return endings.first_place(study, phase, name, "slips", *spare(element, along.__getitem__), gives_way=True)
+    return endings.first_of_forces(study, phase, "slips", lambda of: spare(element, of), gives_way=True)
 
 
 LAW = endings.EventLaw(_ends)
