@@ -13,10 +13,11 @@ from rbpsym.ask.question import Question
 from rbpsym.ask.seen import AskedPhase, never_told
 from rbpsym.ask.special import left_open
 from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.decide.verdict import Verdict, all_of, undecided
 from rbpsym.errors import there
 from rbpsym.expr import tree as t
-from rbpsym.field import depends_on
+from rbpsym.field import depends_on, derivative
 from rbpsym.mechanics.demands import possible, settle
 from rbpsym.proof.checks.of_steps import guarded
 from rbpsym.proof.context import Context
@@ -32,7 +33,7 @@ def concluded(world: AskedPhase, text: str, found: Finding, letter: str = LETTER
     what is said of them."""
     draft, used = Draft(world.study), {(q.text, q.phase): (q, one) for q, one in world.used}
     kept = [pair for pair in used.values() if pair[1].moment or pair[1].told or pair[1].named != pair[1].values]
-    stem = f"{letter if '_' not in letter else LETTER}_".lower()
+    stem = f"{letter}_" if found.symbol and letter != LETTER else f"{letter if '_' not in letter else LETTER}_".lower()
     names = [stem.rstrip("_")] if len(kept) == 1 else [f"{stem}{number}" for number in range(1, len(kept) + 1)]
     quantities: list[Answer] = []
     for pair, own in zip(kept, names, strict=True):
@@ -51,8 +52,10 @@ def concluded(world: AskedPhase, text: str, found: Finding, letter: str = LETTER
         letters = {question.text: draft.show(one.values[0], factor=True) for question, one in world.used}
         letters |= {pair[0].text: _as_letter(draft, told) for pair, told in zip(kept, quantities, strict=True)}
     steps, said = _steps(quantities)
-    cites = dict.fromkeys((*said, *(step.id for step in found.steps[-1:])))
+    own = (*(_slope(draft, found, quantities[0]) if said == ["quantity.1"] else ()), *found.steps)
+    cites = dict.fromkeys((*said, *(step.id for step in own[-1:])))
     last = replace(_last(draft, found, nodes, letter, letters), cites=tuple(cites))
+    last = replace(last, phrase="ask.found.turns") if own != found.steps else last
     return Answer(
         Question(text, found.symbol or text),
         world.study,
@@ -61,7 +64,7 @@ def concluded(world: AskedPhase, text: str, found: Finding, letter: str = LETTER
         all_of([last.certificate.verdict, *map(undecided, open_), *(one.verdict for one in quantities)]),
         "",
         draft.asked(found.valid),
-        (*steps, *found.steps, *([last] if nodes and found.grounds else [])),
+        (*steps, *own, *([last] if nodes and found.grounds else [])),
         symbol=found.symbol,
         relation=found.relation,
         says=found.says,
@@ -103,6 +106,16 @@ def _steps(quantities: list[Answer]) -> tuple[list[Step], list[str]]:
             own = replace(step, id=f"quantity.{number}", phrase="ask.quantity", is_result=False)
             said.append(steps[known.statement].id if known else steps.setdefault(step.statement, own).id)
     return [*steps.values()], said
+
+
+def _slope(draft: Draft, found: Finding, quantity: Answer) -> Iterator[Step]:
+    """How the quantity that is extreme within a range grows there: the slope that vanishes where it is so."""
+    data = found.grounds[0][1] if found.rule == "extreme" and found.symbol else {"at_end": True}
+    letter = t.ZERO if data["at_end"] else _as_letter(draft, quantity)
+    value = draft.context.value(letter)
+    if isinstance(letter, t.Sym) and scalars_equal(value, data["value"], data["given"]).is_proved:
+        statement = t.equation(t.Deriv(letter, data["name"]), draft.show(derivative(value, data["name"]), factor=True))
+        yield draft.add("slope", "identity", statement, "ask.slope", name=t.Sym(data["name"]))
 
 
 def _value(step: Step) -> t.Node:

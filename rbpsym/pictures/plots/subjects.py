@@ -232,7 +232,7 @@ def panel(
 def changes(moving: PlottedMotion) -> tuple[PlotMark, ...]:
     """Where one phase ends and the next begins, on the axis of the time."""
     size = moving.scales.of(TIME).size
-    return tuple(PlotMark(leg.began / size, leg.name) for leg in moving.whole.legs[1:])
+    return tuple(PlotMark(leg.began / size, leg.name) for leg in moving.whole.legs if leg.began)
 
 
 # --- energies and speeds
