@@ -112,7 +112,8 @@ def _intro(key: str, derivation: Derivation, said: Words, **slots: object) -> It
 
 
 def _plain(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
-    yield from _intro(steps[0].chapter, derivation, said)
+    chapter = steps[0].chapter
+    yield from _intro("released" if chapter == "instant" and not derivation.study.ties else chapter, derivation, said)
     yield from telling.Teller(said).steps(steps)
 
 

@@ -160,7 +160,7 @@ def _freedom(derivation: Derivation, said: Words) -> Inlines:
         return said.say("statement.driven" if study.system.has_clock else "statement.still", ground=Said(study))
     key = f"number.{len(own)}"
     number = said.say(key) if said.has(key) else len(own)
-    if derivation.study.at_start:
+    if derivation.study.at_start and study.ties:
         return said.say("statement.tied", coordinates=described)
     return said.say("statement.freedom", coordinates=described, number=number, count=len(own))
 
