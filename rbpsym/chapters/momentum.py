@@ -147,7 +147,7 @@ def kept_speeds(draft: Draft, wanted: Iterable[str]) -> None:
             f"speed_at.{name}",
             "kept_speed",
             t.equation(t.Sym(speed), draft.show(draft.study.kept_speeds[speed], factor=True)),
-            "course.speed",
+            "energy.speed",
             premises=momenta,
             name=t.Sym(name),
             is_result=True,

@@ -214,7 +214,7 @@ class Study(Frozen):
     @kept
     def kept_speeds(self) -> Mapping[str, Scalar]:
         """The speeds that conserved momenta give, where the square of the one that is left follows from the energy."""
-        found = motion.kept_speeds(self.system, self.dynamics, self.first_integral) if len(self.squares) == 1 else {}
+        found = motion.kept_speeds(self.system, self.dynamics, self.first_integral) if sum(map(bool, self.squares.values())) == 1 else {}
         return found if len(found) == len(self.system.independent) - 1 else {}
 
     @kept

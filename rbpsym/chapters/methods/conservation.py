@@ -215,9 +215,11 @@ def _as_sum(draft: Draft) -> t.Node:
 
 
 def _speeds(draft: Draft) -> None:
-    """Momenta that are kept, and squares of speeds as functions of position."""
-    momentum.kept(draft)
-    single = len(draft.study.system.independent) == 1
+    """Momenta that are kept, the speeds that they give, and with these the squares of the others as functions of position."""
+    speeds = draft.study.kept_speeds
+    momentum.kept_speeds(draft, speeds)
+    known = draft.those(*(f"speed_at.{speed.removesuffix('_dot')}" for speed in speeds))
+    is_energy = len(draft.study.system.independent) == 1 or bool(speeds)
     for name, value in draft.study.squares.items():
         draft.context.scalars.pop(f"{name}_dot", None)
         statement = t.equation(t.Pow(t.Sym(f"{name}_dot"), t.TWO), _from_start(draft, name, value))
@@ -225,8 +227,8 @@ def _speeds(draft: Draft) -> None:
             f"square.{name}",
             "first_integral",
             statement,
-            "energy.square" if single else "energy.square_alone",
-            premises=["energy"] if single else draft.those(f"motion.{name}"),
+            "energy.square" if is_energy else "energy.square_alone",
+            premises=["energy", *known] if is_energy else draft.those(f"motion.{name}"),
             is_result=any(depends_on(value, other) for other in draft.study.system.coordinates),
             data={"name": name, "value": value},
             source=StepRef("energy"),
