@@ -146,12 +146,12 @@ def kept_speeds(draft: Draft, wanted: Iterable[str]) -> None:
         draft.add(
             f"speed_at.{name}",
             "kept_speed",
-            t.equation(t.Sym(speed), draft.show(draft.study.kept_speeds[speed], factor=True)),
+            t.equation(t.Sym(speed), draft.show(draft.study.momentum_speeds[speed], factor=True)),
             "energy.speed",
             premises=momenta,
             name=t.Sym(name),
             is_result=True,
-            data={"speed": speed, "speeds": draft.study.kept_speeds, "momenta": tuple(momenta)},
+            data={"speed": speed, "speeds": draft.study.momentum_speeds, "momenta": tuple(momenta)},
         )
 
 

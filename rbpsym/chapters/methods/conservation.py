@@ -216,7 +216,7 @@ def _as_sum(draft: Draft) -> t.Node:
 
 def _speeds(draft: Draft) -> None:
     """Momenta that are kept, the speeds that they give, and with these the squares of the others as functions of position."""
-    speeds = draft.study.kept_speeds
+    speeds = draft.study.momentum_speeds
     momentum.kept_speeds(draft, speeds)
     known = draft.those(*(f"speed_at.{speed.removesuffix('_dot')}" for speed in speeds))
     is_energy = len(draft.study.system.independent) == 1 or bool(speeds)

@@ -62,7 +62,7 @@ def _balances(draft: Draft, found: Plan) -> list[Step]:
 def _balance(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> Step:
     if balance.kind == "force":
         pushed = _push(draft, balance)
-        is_used = len(balance.unknowns) > 1 or draft.study.kept_speeds
+        is_used = len(balance.unknowns) > 1 or draft.study.momentum_speeds
         if balance.left and not balance.right and is_used and not balance.label.startswith(TURNING):
             _kept_momentum(draft, balance, pushed)
         return pushed
