@@ -102,7 +102,7 @@ def _steps(quantities: list[Answer]) -> tuple[list[Step], list[str]]:
             if step.id != "answer":
                 steps.setdefault(step.statement, step)
                 continue
-            known = next((one for one in told.steps[:-1] if _value(one) == _value(step)), None)
+            known = next((one for one in told.steps[:-1] if _value(step) in (_value(one), *_sides(one))), None)
             own = replace(step, id=f"quantity.{number}", phrase="ask.quantity", is_result=False)
             said.append(steps[known.statement].id if known else steps.setdefault(step.statement, own).id)
     return [*steps.values()], said
@@ -121,6 +121,11 @@ def _slope(draft: Draft, found: Finding, quantity: Answer) -> Iterator[Step]:
 def _value(step: Step) -> t.Node:
     """What its statement comes to; a system as it is."""
     return step.statement.items[-1] if isinstance(step.statement, t.Chain) else step.statement
+
+
+def _sides(step: Step) -> Iterator[t.Node]:
+    """What the rows of its statement come to."""
+    return (row[-1] for row in t.relations(step.statement))
 
 
 def _as_letter(draft: Draft, told: Answer) -> t.Node:
