@@ -52,10 +52,10 @@ def concluded(world: AskedPhase, text: str, found: Finding, letter: str = LETTER
         letters = {question.text: draft.show(one.values[0], factor=True) for question, one in world.used}
         letters |= {pair[0].text: _as_letter(draft, told) for pair, told in zip(kept, quantities, strict=True)}
     steps, said = _steps(quantities)
-    own = (*(_slope(draft, found, quantities[0]) if said == ["quantity.1"] else ()), *found.steps)
-    cites = dict.fromkeys((*said, *(step.id for step in own[-1:])))
+    more_steps = (*(_slope(draft, found, quantities[0]) if said == ["quantity.1"] else ()), *found.steps)
+    cites = dict.fromkeys((*said, *(step.id for step in more_steps[-1:])))
     last = replace(_last(draft, found, nodes, letter, letters), cites=tuple(cites))
-    last = replace(last, phrase="ask.found.turns") if own != found.steps else last
+    last = replace(last, phrase="ask.found.turns") if more_steps != found.steps else last
     return Answer(
         Question(text, found.symbol or text),
         world.study,
@@ -64,7 +64,7 @@ def concluded(world: AskedPhase, text: str, found: Finding, letter: str = LETTER
         all_of([last.certificate.verdict, *map(undecided, open_), *(one.verdict for one in quantities)]),
         "",
         draft.asked(found.valid),
-        (*steps, *own, *([last] if nodes and found.grounds else [])),
+        (*steps, *more_steps, *([last] if nodes and found.grounds else [])),
         symbol=found.symbol,
         relation=found.relation,
         says=found.says,
@@ -110,12 +110,13 @@ def _steps(quantities: list[Answer]) -> tuple[list[Step], list[str]]:
 
 def _slope(draft: Draft, found: Finding, quantity: Answer) -> Iterator[Step]:
     """How the quantity that is extreme within a range grows there: the slope that vanishes where it is so."""
-    data = found.grounds[0][1] if found.rule == "extreme" and found.symbol else {"at_end": True}
-    letter = t.ZERO if data["at_end"] else _as_letter(draft, quantity)
+    if found.rule != "extreme" or not found.symbol or found.grounds[0][1]["at_end"]:
+        return
+    letter, extreme = _as_letter(draft, quantity), found.grounds[0][1]
     value = draft.context.value(letter)
-    if isinstance(letter, t.Sym) and scalars_equal(value, data["value"], data["given"]).is_proved:
-        statement = t.equation(t.Deriv(letter, data["name"]), draft.show(derivative(value, data["name"]), factor=True))
-        yield draft.add("slope", "identity", statement, "ask.slope", name=t.Sym(data["name"]))
+    if isinstance(letter, t.Sym) and scalars_equal(value, extreme["value"], extreme["given"]).is_proved:
+        name, slope = found.symbol, draft.show(derivative(value, found.symbol), factor=True)
+        yield draft.add("slope", "identity", t.equation(t.Deriv(letter, name), slope), "ask.slope", name=t.Sym(name))
 
 
 def _value(step: Step) -> t.Node:
