@@ -47,7 +47,7 @@ def _of_body(draft: Draft, body: str, label: str) -> bool:
     draft.add(f"momentum.{body}.{label}", "angular_momentum", statement, _phrase(orbital, spin),
               premises=draft.those(f"position.{body}", f"velocity.{body}", f"moment.{body}"), body=BodyRef(body),
               point=t.Sym(label),
-              data={"origin": origin, "bodies": (body), "value": orbital + spin, "orbital": orbital, "spin": spin})  # fmt: skip
+              data={"origin": origin, "bodies": (body,), "value": orbital + spin, "orbital": orbital, "spin": spin})  # fmt: skip
     return True
 
 
