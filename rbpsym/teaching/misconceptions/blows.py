@@ -45,12 +45,12 @@ def _struck(study: Study) -> Iterator[tuple[str, Scalar, Scalar]]:
     geometry, start = geometry_of(study.system), study.system.scope.start
     for ref, line in (*_impulses(study), *((on, study.system.bodies[come].velocity) for on, come in _joined(study))):
         size = rooted(function("sqrt", substitute(line.dot(line), start)), study.assumptions)
-        if ref.body in axes(study) and size:
-            hinge = study.origins[axes(study)[ref.body][0]]
-            places = (study.system.bodies[ref.body].center, geometry.where(ref))
+        if (body := ref.body or "") in axes(study) and size:
+            hinge = study.origins[axes(study)[body][0]]
+            places = (study.system.bodies[body].center, geometry.where(ref))
             arm, reach = (substitute((at - hinge).cross(line), start) / size for at in places)
             if arm and reach:
-                yield ref.body, arm, reach
+                yield body, arm, reach
 
 
 def _impulses(study: Study) -> Iterator[tuple[PointRef, Vector]]:
@@ -79,8 +79,9 @@ def _with_moment(study: Study, body: str, moment: Scalar) -> Study:
 def _spin_kept(study: Study) -> Iterator[Site]:
     """ω, not L, is kept when a body comes on: its part of the moment of inertia is left out."""
     for on, body in _joined(study):
-        if substitute(study.system.bodies[on.body or ""].omega, study.system.scope.start):
-            yield Site({"body": BodyRef(body), "carrier": BodyRef(on.body)}, partial(_without_mass, study, body))
+        carrier = on.body or ""
+        if substitute(study.system.bodies[carrier].omega, study.system.scope.start):
+            yield Site({"body": BodyRef(body), "carrier": BodyRef(carrier)}, partial(_without_mass, study, body))
 
 
 def _without_mass(study: Study, body: str) -> Study:
