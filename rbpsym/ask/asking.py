@@ -64,10 +64,15 @@ def answered_all(study: Study, questions: Mapping[str, str]) -> Iterator[Answer 
 
 def letters(study: Study) -> dict[str, str]:
     """By what the answers to a problem's own questions are called, each with a letter of its own."""
-    questions = study.problem.questions
-    stems = [_stem(text, study) for text in questions]
-    marked = (f"_{stems[: place + 1].count(stem)}" if stems.count(stem) > 1 else "" for place, stem in enumerate(stems))
-    return {text: f"{stem}{mark}" for text, stem, mark in zip(questions, stems, marked, strict=True)}
+    texts = study.problem.questions
+    of = {text: led[1] if (led := LED.fullmatch(text)) else text for text in texts}
+    stems = {quantity: _stem(quantity, study) for quantity in of.values()}
+    alike = {stem: [quantity for quantity in stems if stems[quantity] == stem] for stem in stems.values()}
+    marks = {q: f"_{alike[stem].index(q) + 1}" if len(alike[stem]) > 1 else "" for q, stem in stems.items()}
+    return {text: f"{stems[of[text]]}{marks[of[text]]}" for text in texts}
+
+
+LED = re.compile(r"\w+ for which (?:the )?(.+) is \w+")  # what is called by the letter there is the quantity, no parameter
 
 
 # what a book calls a quantity of this name: along a line, of an angle

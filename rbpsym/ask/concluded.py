@@ -15,6 +15,7 @@ from rbpsym.ask.seen import AskedPhase, never_told
 from rbpsym.ask.senses import narrowed, of_sense
 from rbpsym.ask.special import left_open
 from rbpsym.decide.assumptions import Assumptions
+from rbpsym.decide.equal import scalars_equal
 from rbpsym.decide.signs import sign
 from rbpsym.decide.verdict import Verdict, all_of, undecided
 from rbpsym.errors import there
@@ -38,7 +39,7 @@ def concluded(world: AskedPhase, text: str, found: Finding, letter: str = LETTER
     what is said of them."""
     draft, used = Draft(world.study), {(q.text, q.phase): (q, one) for q, one in world.used}
     kept = [pair for pair in used.values() if pair[1].moment or pair[1].told or pair[1].named != pair[1].values]
-    stem = f"{letter if '_' not in letter else LETTER}_".lower()
+    stem = f"{letter}_" if found.symbol and letter != LETTER else f"{letter if '_' not in letter else LETTER}_".lower()
     names = [stem.rstrip("_")] if len(kept) == 1 else [f"{stem}{number}" for number in range(1, len(kept) + 1)]
     quantities: list[Answer] = []
     for pair, own in zip(kept, names, strict=True):
@@ -57,8 +58,10 @@ def concluded(world: AskedPhase, text: str, found: Finding, letter: str = LETTER
         letters = {question.text: draft.show(one.values[0], factor=True) for question, one in world.used}
         letters |= {pair[0].text: _as_letter(draft, told) for pair, told in zip(kept, quantities, strict=True)}
     steps, said = _steps(quantities)
-    cites = dict.fromkeys((*said, *(step.id for step in found.steps[-1:])))
+    more_steps = (*(_slope(draft, found, quantities[0]) if said == ["quantity.1"] else ()), *found.steps)
+    cites = dict.fromkeys((*said, *(step.id for step in more_steps[-1:])))
     last = replace(_last(draft, found, nodes, letter, letters), cites=tuple(cites))
+    last = replace(last, phrase="ask.found.turns") if more_steps != found.steps else last
     return Answer(
         Question(text, found.symbol or text),
         world.study,
@@ -67,7 +70,7 @@ def concluded(world: AskedPhase, text: str, found: Finding, letter: str = LETTER
         all_of([last.certificate.verdict, *map(undecided, open_), *(one.verdict for one in quantities)]),
         "",
         draft.asked(found.valid),
-        (*steps, *found.steps, *([last] if nodes and found.grounds else [])),
+        (*steps, *more_steps, *([last] if nodes and found.grounds else [])),
         symbol=found.symbol,
         relation=found.relation,
         says=found.says,
@@ -105,15 +108,31 @@ def _steps(quantities: list[Answer]) -> tuple[list[Step], list[str]]:
             if step.id != "answer":
                 steps.setdefault(step.statement, step)
                 continue
-            known = next((one for one in told.steps[:-1] if _value(one) == _value(step)), None)
+            known = next((one for one in told.steps[:-1] if _value(step) in (_value(one), *_sides(one))), None)
             own = replace(step, id=f"quantity.{number}", phrase="ask.quantity", is_result=False)
             said.append(steps[known.statement].id if known else steps.setdefault(step.statement, own).id)
     return [*steps.values()], said
 
 
+def _slope(draft: Draft, found: Finding, quantity: Answer) -> Iterator[Step]:
+    """How the quantity that is extreme within a range grows there: the slope that vanishes where it is so."""
+    if found.rule != "extreme" or not found.symbol or found.grounds[0][1]["at_end"]:
+        return
+    letter, extreme = _as_letter(draft, quantity), found.grounds[0][1]
+    value = draft.context.value(letter)
+    if isinstance(letter, t.Sym) and scalars_equal(value, extreme["value"], extreme["given"]).is_proved:
+        name, slope = found.symbol, draft.show(derivative(value, found.symbol), factor=True)
+        yield draft.add("slope", "identity", t.equation(t.Deriv(letter, name), slope), "ask.slope", name=t.Sym(name))
+
+
 def _value(step: Step) -> t.Node:
     """What its statement comes to; a system as it is."""
     return step.statement.items[-1] if isinstance(step.statement, t.Chain) else step.statement
+
+
+def _sides(step: Step) -> Iterator[t.Node]:
+    """What the rows of its statement come to."""
+    return (row[-1] for row in t.relations(step.statement))
 
 
 def _as_letter(draft: Draft, told: Answer) -> t.Node:

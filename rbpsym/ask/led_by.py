@@ -78,6 +78,7 @@ def _speeds(found: Found) -> list[str]:
     told = {name for value in on_motion for name in names_in(value)}
     is_there = found.moment is not None and arrives(found.moment) and found.moment.state.time is None  # else by the time
     needed = found.of == "position" or bool(found.works) or is_there
+    told |= {f"{name}_dot" for name in _met(found.moment)} if is_there and found.moment else set()  # whose speed may vanish
     return [name for name in found.study.squares if needed and f"{name}_dot" in told]
 
 

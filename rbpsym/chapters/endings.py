@@ -110,7 +110,7 @@ def _place(draft: Draft, ending: Ending) -> None:
         "event_place",
         t.equation(letter, draft.show(value)),
         f"phases.place.{EVENTS[ending.phase.event].place}",
-        premises=draft.those(f"along.{ending.phase.subject}"),
+        premises=draft.those(f"along.{ending.phase.subject}", *([f"square.{name}"] if ending.phase.event == "rests" else [])),
         letter=letter,
         force=t.Sym(ending.phase.subject),
         coordinate=t.Sym(name),

@@ -153,7 +153,7 @@ def _laws(draft: Draft, body: str, speeds: list[Step]) -> list[Step]:
                     "start_law",
                     t.system(statements),
                     f"instant.{part}",
-                    premises=[f"law.{part}.{body}", *(step.id for step in speeds)],
+                    premises=[f"law.{part}.{body}", *draft.those(f"moment.{body}")[: part == "torque"], *(s.id for s in speeds)],
                     body=BodyRef(body),
                     data={"law": f"law.{part}.{body}"},
                 )

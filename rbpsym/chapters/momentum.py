@@ -44,16 +44,10 @@ def _of_body(draft: Draft, body: str, label: str) -> bool:
     if state.moment and state.omega:
         formula = t.add(formula, t.mul(t.Sym(draft.of_body("I", body)), t.Vec(draft.of_body("omega", body))))
     statement = t.equation(t.Vec(name), formula, along_z(draft, orbital, spin), *_as_one(draft, body, label, orbital, spin))
-    draft.add(
-        f"momentum.{body}.{label}",
-        "angular_momentum",
-        statement,
-        _phrase(orbital, spin),
-        premises=draft.those(f"position.{body}", f"velocity.{body}", f"moment.{body}"),
-        body=BodyRef(body),
-        point=t.Sym(label),
-        data={"origin": origin, "bodies": (body,), "value": orbital + spin, "orbital": orbital, "spin": spin},
-    )
+    draft.add(f"momentum.{body}.{label}", "angular_momentum", statement, _phrase(orbital, spin),
+              premises=draft.those(f"position.{body}", f"velocity.{body}", f"moment.{body}"), body=BodyRef(body),
+              point=t.Sym(label),
+              data={"origin": origin, "bodies": (body,), "value": orbital + spin, "orbital": orbital, "spin": spin})  # fmt: skip
     return True
 
 
@@ -105,15 +99,10 @@ def _total(draft: Draft, bodies: list[str], label: str) -> None:
     name = draft.free("L" if label == "O" else f"L_{label}", "tot")
     draft.context.vectors[name] = Space(z=value)
     sum_ = t.add(*(t.Vec(momentum_name(draft, body, label)) for body in bodies))
-    draft.add(
-        f"momentum.total.{label}",
-        "angular_momentum",
-        t.equation(t.Vec(name), sum_, *_turning(draft, label), along_z(draft, value)),
-        "momentum.total",
-        premises=draft.those(*(f"momentum.{b}.{label}" for b in bodies)),
-        point=t.Sym(label),
-        data={"origin": origin, "bodies": tuple(bodies), "value": value},
-    )
+    draft.add(f"momentum.total.{label}", "angular_momentum",
+              t.equation(t.Vec(name), sum_, *_turning(draft, label), along_z(draft, value)), "momentum.total",
+              premises=draft.those(*(f"momentum.{b}.{label}" for b in bodies)), point=t.Sym(label),
+              data={"origin": origin, "bodies": tuple(bodies), "value": value})  # fmt: skip
 
 
 def kept(draft: Draft) -> list[str]:
@@ -143,16 +132,10 @@ def kept_speeds(draft: Draft, wanted: Iterable[str]) -> None:
     momenta = kept(draft)
     for speed in wanted:
         name = speed.removesuffix("_dot")
-        draft.add(
-            f"speed_at.{name}",
-            "kept_speed",
-            t.equation(t.Sym(speed), draft.show(draft.study.kept_speeds[speed], factor=True)),
-            "course.speed",
-            premises=momenta,
-            name=t.Sym(name),
-            is_result=True,
-            data={"speed": speed, "speeds": draft.study.kept_speeds, "momenta": tuple(momenta)},
-        )
+        draft.add(f"speed_at.{name}", "kept_speed",
+                  t.equation(t.Sym(speed), draft.show(draft.study.momentum_speeds[speed], factor=True)), "energy.speed",
+                  premises=momenta, name=t.Sym(name), is_result=True,
+                  data={"speed": speed, "speeds": draft.study.momentum_speeds, "momenta": tuple(momenta)})  # fmt: skip
 
 
 def steady_motion(draft: Draft, name: str, known: Orbit) -> None:

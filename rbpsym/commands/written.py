@@ -8,6 +8,7 @@ from pathlib import Path
 
 import click
 
+from rbpsym.ask.question import read_question
 from rbpsym.commands.arguments import shelf, stated
 from rbpsym.commands.list import place
 from rbpsym.commands.progress import Progress
@@ -21,9 +22,14 @@ from rbpsym.document.notes import course_notes, notes
 from rbpsym.document.twin import with_twins
 from rbpsym.document.writers import files
 from rbpsym.errors import RbpsymError
+from rbpsym.expr import tree as t
 from rbpsym.frozen import Frozen, field, replace
+from rbpsym.mechanics.assemble import assemble
+from rbpsym.mechanics.at_start import StartStudy
+from rbpsym.mechanics.instant import has_start
 from rbpsym.proof.step import Derivation
 from rbpsym.statement.course import load_course
+from rbpsym.statement.model import Problem
 
 # --- files that are watched: something is done again each time one of them has changed
 
@@ -82,9 +88,10 @@ def told(write: Callable[[], list[Path]]) -> None:
 
 
 class KeptDerivations(Frozen):
-    """The derivations of files, by path."""
+    """The derivations of files, by path; `whole`: also of what no question asks for."""
 
     simulation: bool
+    whole: bool = True
     found: dict[Path, Derivation] = field(default_factory=dict)
 
     def derivation(self, path: Path) -> Derivation:
@@ -93,8 +100,16 @@ class KeptDerivations(Frozen):
         if before is not None and physics_of(before.study.problem) == physics_of(problem):
             self.found[path] = replace(before, study=before.study.under(problem))
         else:
-            self.found[path] = derive(problem, simulation=self.simulation)
+            study = StartStudy(problem) if not self.whole and _asks_of_release(problem) else None
+            self.found[path] = derive(problem, simulation=self.simulation, study=study)
         return self.found[path]
+
+
+def _asks_of_release(problem: Problem) -> bool:
+    """Is all that is asked asked of the moment at which several coordinates are let go? No speed counts there."""
+    asked = [when for text in problem.questions if (when := read_question(text).when) and when.kind == "start"]
+    still = all(c.speed == t.ZERO for c in problem.coordinates) and has_start(problem) and not problem.phases
+    return still and len(asked) == len(problem.questions) > 0 and len(assemble(problem).independent) > 1
 
 
 # --- the notes of a problem or a course
@@ -115,7 +130,7 @@ class NotesWish(Frozen):
 
 def once(kind: str, path: Path, wish: NotesWish) -> int:
     """Write, tell the files; 1 if not all is proved."""
-    document, fine = DOCUMENTS[kind](path, wish, KeptDerivations(wish.simulation))
+    document, fine = DOCUMENTS[kind](path, wish, KeptDerivations(wish.simulation, wish.detail == "full"))
     for file in _written(document, path.stem, wish):
         click.echo(str(file))
     return 0 if fine else 1
@@ -123,7 +138,7 @@ def once(kind: str, path: Path, wish: NotesWish) -> int:
 
 def watched(kind: str, path: Path, wish: NotesWish) -> int:
     """Write again at each change."""
-    kept = KeptDerivations(wish.simulation)
+    kept = KeptDerivations(wish.simulation, wish.detail == "full")
     return watch(
         lambda: _written(DOCUMENTS[kind](path, wish, kept)[0], path.stem, wish),
         lambda: _sources(kind, path),
@@ -164,7 +179,7 @@ def library(name: str | None, is_watched: bool, wish: NotesWish) -> int:
     """The book and the site; tells the files. 1 if a problem can't be derived or not all of it is proved."""
     if name is not None or is_watched:
         raise click.UsageError("--all writes the whole library: it takes no name and no --watch.")
-    kept = KeptDerivations(wish.simulation)
+    kept = KeptDerivations(wish.simulation, wish.detail == "full")
     problems, failed = derived(wish, kept)
     made = dict(book_files(problems, wish))
     if "html" in wish.formats:

@@ -112,7 +112,8 @@ def _intro(key: str, derivation: Derivation, said: Words, **slots: object) -> It
 
 
 def _plain(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Block]:
-    yield from _intro(steps[0].chapter, derivation, said)
+    chapter = steps[0].chapter
+    yield from _intro("released" if chapter == "instant" and not derivation.study.ties else chapter, derivation, said)
     yield from telling.Teller(said).steps(steps)
 
 
@@ -271,20 +272,9 @@ def _done(steps: list[Step], derivation: Derivation, said: Words) -> Iterator[Bl
         yield table
     elif said.is_full:
         yield Paragraph(said.say("work.done_below", ground=ground))
-        yield from (telling.joined(group, said) for group in _by_force(steps))
+        forces = dict.fromkeys(step.id.split(".", 2)[2] for step in steps)
+        yield from (telling.joined([s for s in steps if s.id.split(".", 2)[2] == force], said) for force in forces)
     yield from telling.Teller(said).conditions(steps)
-
-
-def _by_force(steps: list[Step]) -> list[list[Step]]:
-    """Groups of at most so many formulas, the two works of a force together."""
-    groups: list[list[Step]] = [[]]
-    forces = dict.fromkeys(step.id.split(".", 2)[2] for step in steps)
-    for force in forces:
-        own = [step for step in steps if step.id.split(".", 2)[2] == force]
-        if groups[-1] and len(groups[-1]) + len(own) > telling.MOST_ROWS:
-            groups.append([])
-        groups[-1] += own
-    return groups
 
 
 def _halves(steps: list[Step], teller: telling.Teller, said: Words, ground: Said) -> Iterator[Block]:

@@ -126,11 +126,13 @@ def problem_sections(
         *phase_sections(derivation, said, level, speaker),
     )
     remarked = with_remarks(derived, derivation, (said, *(own for own, _ in later[1::2])), detail)
+    laws = (said.step(step.id)[0] for step in derivation.chapter("motion") if step.rule == "solution")
+    boxed = [mark for mark in (stated.values() if answers else laws) if isinstance(mark, Ref)]
     return [
         statement_section(derivation, said, level, asked(answers, stated, said)),
-        *(derived if said.is_full else (boxes_of_answers(remarked, stated.values()) if answers else remarked)),
+        *(derived if said.is_full else boxes_of_answers(remarked, boxed)),
         *([answered] if answered else []),
-        *([drawn] if drawn else []),
+        *([drawn] if drawn and (said.is_full or drawn.blocks[1:]) else []),  # why there are no curves is no news
         *(results_section(derivation, said, level, later, detail) if said.is_full else ()),
         checks_section(derivation, said, level, checks or ("" if said.is_full else None)),
     ]

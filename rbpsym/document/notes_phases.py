@@ -9,11 +9,11 @@ from typing import Any
 
 from rbpsym.chapters.endings import begun
 from rbpsym.document.chapters import chapter_blocks, chapter_sections, solved_together
-from rbpsym.document.model import Block, Paragraph, Ref, Section
+from rbpsym.document.model import Block, Paragraph, Ref, Section, words
 from rbpsym.document.needless import is_struck, owed_by, unsaid
 from rbpsym.document.telling import Teller
 from rbpsym.document.used import used_to_begin
-from rbpsym.document.words import Words
+from rbpsym.document.words import Words, capital
 from rbpsym.expr import tree as t
 from rbpsym.proof.step import STANDARD, Derivation, DerivedPhase, Step, StepRef
 from rbpsym.statement.model import Phase
@@ -42,8 +42,8 @@ def phase_sections(derivation: Derivation, said: Words, level: int, speaker: Spe
         gone = [step.id for step in phase.derivation.chapter("inertia") if _is_blow(phase, first)]
         own = replace(own, shown=own.shown.difference(gone))
         begins = (*_event(stated, first), *_begins(phase, first, inertia), *_motion_again(phase.derivation, own))
-        is_alone = struck and len(stated_phases) == 1
-        title = said.say("phases.alone" if is_alone else "phases.title", number=number, name=said.named(phase.name))
+        is_alone, name = struck and len(stated_phases) == 1, said.named(phase.name)
+        title = capital(words(name)) if is_alone else said.say("phases.title", number=number, name=name)
         below = tuple(chapter_sections(phase.derivation, own, level + 1))
         blocks = () if own.is_full else tuple(chain.from_iterable(section.blocks for section in below))
         yield Section(title, (*begins, *_clock(phase, own), *blocks), first.prefix + "section", level)

@@ -20,7 +20,7 @@ from rbpsym.mechanics.events import pushes
 from rbpsym.pictures.plots.following import PlottedMotion, motion
 from rbpsym.pictures.plots.panel import Panel, PlotCurve, PlotMark, has_jump, scene
 from rbpsym.pictures.plots.scales import Scale, told_numbers
-from rbpsym.pictures.plots.subjects import energies, forces, positions, speeds, works
+from rbpsym.pictures.plots.subjects import changes, energies, forces, positions, speeds, works
 from rbpsym.pictures.pose import REASONS
 from rbpsym.proof.step import Derivation
 from rbpsym.typeset.text import plain_letters
@@ -206,7 +206,7 @@ def remarks(moving: PlottedMotion, names: tuple[str, ...], panels: Panels, is_fi
         yield kind_of_loss(moving), {"force": t.Sym(moving.loss[1])}
     if any(curve.style == "curve thin" for curve in all_curves):
         yield "small", {}
-    if is_first and len(moving.whole.legs) > 1:
+    if is_first and changes(moving):
         yield "phases", {}
     if any(has_jump(panel) for panel in panels):
         yield "jumps", {}

@@ -137,6 +137,7 @@ def _shape(body: Body, said: Words) -> Inlines:
         return said.say("shape.cut" if holes else "shape.made", parts=parts, holes=holes, **weight)
     kind = body.shape.called if said.has(f"shape.{body.shape.called}") else body.shape.kind
     sizes: dict[str, Any] = {key: size for key, size in body.shape.sizes.items() if known or key != "moment"}
+    kind = "square" if kind == "rectangle" and sizes["width"] == sizes["height"] else kind
     return said.say(f"part.{kind}" if not known and said.has(f"part.{kind}") else f"shape.{kind}", **weight, **sizes)
 
 
@@ -160,7 +161,7 @@ def _freedom(derivation: Derivation, said: Words) -> Inlines:
         return said.say("statement.driven" if study.system.has_clock else "statement.still", ground=Said(study))
     key = f"number.{len(own)}"
     number = said.say(key) if said.has(key) else len(own)
-    if derivation.study.at_start:
+    if derivation.study.at_start and study.ties:
         return said.say("statement.tied", coordinates=described)
     return said.say("statement.freedom", coordinates=described, number=number, count=len(own))
 

@@ -43,7 +43,7 @@ def used_to_begin(phase: DerivedPhase, whole: Derivation) -> frozenset[str]:
     """Of the steps by which a phase begins those that are needed: by the last one only what leads to an answer, and the energy
     that is lost; all where nothing of it is asked, or what comes after."""
     stated = {each.value for each in whole.study.problem.phases}  # a place that is said to be reached
-    places = [step for step in phase.begins if step.phrase == "phases.state.place"]
+    places = [step for step in phase.begins if step.phrase in ("phases.state.place", "phases.place.value")]
     told = [step.id for step in places if {row.items[-1] for row in t.rows(step.statement)} <= stated]
     ids = frozenset(step.id for step in phase.begins).difference(told)
     asked = None if phase is not whole.phases[-1] or reaches_beyond(whole) else _asked(whole)

@@ -116,16 +116,18 @@ def _other_way(ends: tuple[Turn, Turn]) -> str:
 
 
 def pulls(element: Element, geometry: Geometry) -> tuple[Force, ...]:
-    """The tension on both ends of every run; where the string slides round a circle, both pulls act at its centre."""
+    """The tension on both ends of every run, first on that of a point; where the string slides round a circle, both pulls act at
+    its centre."""
     found: list[Force] = []
     for name, run in zip(tensions(element), runs(element["path"]), strict=True):
         parts = _pieces(element, run, geometry)
         first, last = parts[0], parts[-1]
         others = [turn.body or "ground" for turn in (run[-1], run[0])] if len(parts) == 1 else ["string", "string"]
-        found += _pull(name, run[0], others[0], first.start, first.along)
+        own = _pull(name, run[0], others[0], first.start, first.along)
         for before, after in zip(parts, parts[1:], strict=False):
-            found += _pull(name, after.first, "string", geometry.where(after.first.center), after.along - before.along)
-        found += _pull(name, run[-1], others[1], last.end, -last.along)
+            own += _pull(name, after.first, "string", geometry.where(after.first.center), after.along - before.along)
+        own += _pull(name, run[-1], others[1], last.end, -last.along)
+        found += own[::-1] if run[0].sense and not run[-1].sense else own
     return tuple(found)
 
 

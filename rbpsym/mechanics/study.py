@@ -212,15 +212,21 @@ class Study(Frozen):
         return {} if self.at_start or self.ties else motion.resting(self.system, self.dynamics)
 
     @kept
-    def kept_speeds(self) -> Mapping[str, Scalar]:
-        """The speeds that conserved momenta give, where the square of the one that is left follows from the energy."""
-        found = motion.kept_speeds(self.system, self.dynamics, self.first_integral) if len(self.squares) == 1 else {}
+    def momentum_speeds(self) -> Mapping[str, Scalar]:
+        """The speeds that conserved momenta give, where one that changes is left and its square follows from the energy."""
+        single = sum(map(bool, self.squares.values())) == 1
+        found = motion.kept_speeds(self.system, self.dynamics, self.first_integral) if single else {}
         return found if len(found) == len(self.system.independent) - 1 else {}
+
+    @property
+    def kept_speeds(self) -> Mapping[str, Scalar]:
+        """The same, where none of them is one that stays nothing."""
+        return self.momentum_speeds if len(self.squares) == 1 else {}
 
     @kept
     def kept_momenta(self) -> Mapping[str, Scalar]:
         """The momenta that give them, by coordinate."""
-        names = {speed.removesuffix("_dot") for speed in self.kept_speeds}
+        names = {speed.removesuffix("_dot") for speed in self.momentum_speeds}
         momenta = motion.conserved_momenta(self.system, self.dynamics, there(self.first_integral)) if names else {}
         return {name: momentum for name, momentum in momenta.items() if name in names}
 

@@ -289,6 +289,8 @@ def _way(result: BoxedResult, name: str) -> str:
     if not depends_on(result.value, name):
         return ""
     slope, start = short(derivative(result.value, name) / result.value), result.study.system.scope.start
+    if short(slope * symbol(name)).number() is not None:  # a mere power of it is seen at a glance
+        return ""
     kind = sign(slope, result.given).kind
     begun = [substitute(value, start) for value in (slope, result.value)]
     if is_zero(begun[0]) and not is_zero(begun[1]):  # the range of a coordinate does not hold its start

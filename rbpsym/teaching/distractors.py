@@ -190,7 +190,7 @@ def _candidates(pool: Pool, target: Target, right: Scalar) -> list[tuple[int, Sc
     own, moving = length(shown(right, study)), speeds_in(right)
     seen: dict[str, int] = {}
     for place, wrong in enumerate(pool.wrongs):
-        if target.kind not in (*wrong.misconception.about, *ANY) or not is_asked_of(wrong.misconception.name, target.id):
+        if target.kind not in (*wrong.misconception.about, *ANY) or not is_asked_of(wrong.misconception.name, target):
             continue
         value = bounded(pool, place, partial(target.value, wrong.study))
         if value is None or speeds_in(value) - moving:

@@ -84,6 +84,7 @@ BY_HAND = [
     (SLIPPING, "rolls-while-slipping", "acceleration.x", "0"),
     (SLIPPING, "kinetic-friction-left-out", "acceleration.x", "0"),
     (HINGED, "momentum-kept-at-hinge", "question.1", "m*v_0*(1 + e)/(m*b + M*ell/2)"),
+    ("bullet-in-a-rod", "momentum-kept-at-hinge", "question.1", "2*m*v_0/(M*ell + 2*m*d)"),
     (HINGED, "struck-at-center-of-mass", "question.1", "m*v_0*(1 + e)/(m*b + 2*M*ell/3)"),
     ("stepped-pulley", "rim-and-hub-alike", "acceleration.phi", "g*R*(m_1 - m_2)/(M*k**2 + (m_1 + m_2)*R**2)"),
     (PENDULUM, "momentum-is-angular-velocity", "momentum.disk", "m*ell**2/3*theta_dot"),

@@ -154,8 +154,8 @@ def test_help_fades() -> None:
         f"[[problem.task]]\nkind = 'fill-in'\nabout = 'acceleration.theta'\nlevel = {level}\n" for level in range(4)
     )
     sheet = plan_of(sheet_of_text(text)).worksheet()
-    counts = [len(item.key.blanks) for item in sheet.items]
-    assert counts == sorted(counts) and counts[0] < counts[-1]
+    counts = [len(item.key.blanks) for item in sheet.items]  # between the ends terms give way to whole sides
+    assert min(counts) == counts[0] < counts[-1] == max(counts)
     told = [sum(not hasattr(block, "node") for block in item.prompt) for item in sheet.items]
     assert told[-1] == 1 < told[0]
 

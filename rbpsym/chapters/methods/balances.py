@@ -51,7 +51,7 @@ TURNING = ("with ", "path ")  # directions in which a coordinate takes a body, w
 ROLLING = 1.6  # about the point that a round body touches
 ABOUT_NO_AXIS = 0.7  # torque about a fixed point about which the bodies do not turn
 SLANTED = 0.1  # a direction that is neither along the velocity nor across it
-A_TERM = 0.05  # of the two sides
+A_TERM = 0.1  # of the two sides
 ONLY_SHIFTED = -0.2  # mass times acceleration of bodies that do not turn
 
 

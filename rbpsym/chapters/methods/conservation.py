@@ -69,25 +69,13 @@ def _changes(draft: Draft, forces: list[str], nodes: list[t.Node]) -> None:
     letter, source = letters[0], "kinetic"
     if known:
         letter, source = draft.define(draft.free("E", "tot"), total), "energy.letter"
-        draft.add(
-            source,
-            "identity",
-            t.equation(letter, t.add(*letters)),
-            "energy.total",
-            count=len(letters),
-            premises=["kinetic", *(f"potential.{name}" for name in known)],
-        )
+        draft.add(source, "identity", t.equation(letter, t.add(*letters)), "energy.total", count=len(letters),
+                  premises=["kinetic", *(f"potential.{name}" for name in known)])  # fmt: skip
     more = [t.Sym(name) if name in draft.study.system.unknowns else t.Vec(name) for name in driving]
-    draft.add(
-        "energy.change",
-        "balance",
-        t.equation(t.Deriv(letter), t.add(*(draft.show(short(value), factor=True) for value in powers))),
-        "energy.changes",
-        forces=[*nodes, *more],
-        count=len(powers),
-        premises=[source, *draft.those(*(f"dissipation.{name}" for name in forces))],
-        is_result=True,
-    )
+    draft.add("energy.change", "balance",
+              t.equation(t.Deriv(letter), t.add(*(draft.show(short(value), factor=True) for value in powers))), "energy.changes",
+              forces=[*nodes, *more], count=len(powers),
+              premises=[source, *draft.those(*(f"dissipation.{name}" for name in forces))], is_result=True)  # fmt: skip
 
 
 def _varies(draft: Draft, value: Scalar) -> bool:
@@ -111,15 +99,9 @@ def _kinetic(draft: Draft) -> None:
     letter = draft.define(draft.free("K", "tot"), total)
     together = draft.show_brief(total)
     items = [letter, t.add(*terms), t.add(*shown)] + ([together] if together != t.add(*shown) else [])
-    draft.add(
-        "kinetic",
-        "kinetic_energy",
-        t.equation(*items),
-        "energy.kinetic",
-        count=len(terms),
-        premises=draft.those(*(f"{kind}.{n}" for kind in ("speed", "moment") for n in bodies)),
-        data={"bodies": tuple(bodies), "value": total},
-    )
+    draft.add("kinetic", "kinetic_energy", t.equation(*items), "energy.kinetic", count=len(terms),
+              premises=draft.those(*(f"{kind}.{n}" for kind in ("speed", "moment") for n in bodies)),
+              data={"bodies": tuple(bodies), "value": total})  # fmt: skip
 
 
 def _potentials(draft: Draft) -> None:
@@ -155,15 +137,8 @@ def _splits(draft: Draft) -> None:
             statement = t.equation(*works, t.neg(t.mul(t.Div(t.ONE, t.TWO), gain)))
         else:
             statement = t.equation(t.add(*works), t.neg(gain))
-        draft.add(
-            f"split.{name}",
-            "work",
-            statement,
-            "energy.halves" if equal else "energy.split",
-            force=t.Vec(name),
-            premises=[f"potential.{name}", *(f"work.{i.force}.{i.on}" for i in items)],
-            is_result=equal,
-        )
+        draft.add(f"split.{name}", "work", statement, "energy.halves" if equal else "energy.split", force=t.Vec(name),
+                  premises=[f"potential.{name}", *(f"work.{i.force}.{i.on}" for i in items)], is_result=equal)  # fmt: skip
 
 
 def _conserved(draft: Draft, value: Scalar) -> None:
@@ -215,23 +190,18 @@ def _as_sum(draft: Draft) -> t.Node:
 
 
 def _speeds(draft: Draft) -> None:
-    """Momenta that are kept, and squares of speeds as functions of position."""
-    momentum.kept(draft)
-    single = len(draft.study.system.independent) == 1
+    """Momenta that are kept, the speeds that they give, and with these the squares of the others as functions of position."""
+    speeds = draft.study.momentum_speeds
+    momentum.kept_speeds(draft, speeds)
+    known = draft.those(*(f"speed_at.{speed.removesuffix('_dot')}" for speed in speeds))
+    is_energy = len(draft.study.system.independent) == 1 or bool(speeds)
     for name, value in draft.study.squares.items():
         draft.context.scalars.pop(f"{name}_dot", None)
         statement = t.equation(t.Pow(t.Sym(f"{name}_dot"), t.TWO), _from_start(draft, name, value))
-        draft.add(
-            f"square.{name}",
-            "first_integral",
-            statement,
-            "energy.square" if single else "energy.square_alone",
-            premises=["energy"] if single else draft.those(f"motion.{name}"),
-            is_result=any(depends_on(value, other) for other in draft.study.system.coordinates),
-            data={"name": name, "value": value},
-            source=StepRef("energy"),
-            coordinate=t.Sym(name),
-        )
+        draft.add(f"square.{name}", "first_integral", statement, "energy.square" if is_energy else "energy.square_alone",
+                  premises=["energy", *known] if is_energy else draft.those(f"motion.{name}"),
+                  is_result=any(depends_on(value, other) for other in draft.study.system.coordinates),
+                  data={"name": name, "value": value}, source=StepRef("energy"), coordinate=t.Sym(name))  # fmt: skip
 
 
 def _from_start(draft: Draft, name: str, value: Scalar) -> t.Node:
@@ -265,14 +235,7 @@ def _acceleration(draft: Draft, kept: Scalar) -> Mapping[str, Scalar] | None:
     statement = t.equation(t.Deriv(t.Sym(_letter(draft))), t.mul(speed, t.Group(inside, "[")), t.ZERO)
     draft.add("energy.rate", "balance", statement, "energy.rate", premises=["energy"], source=StepRef("energy"), speed=speed)
     value = short(-(rest / slope))
-    draft.add(
-        "motion.from_energy",
-        "solution",
-        t.equation(t.Sym(f"{name}_ddot"), draft.show(value, factor=True)),
-        "energy.motion",
-        premises=["energy.rate"],
-        source=StepRef("energy.rate"),
-        known=StepRef(f"motion.{name}"),
-        speed=speed,
-    )
+    found = t.equation(t.Sym(f"{name}_ddot"), draft.show(value, factor=True))
+    draft.add("motion.from_energy", "solution", found, "energy.motion",
+              premises=["energy.rate"], source=StepRef("energy.rate"), known=StepRef(f"motion.{name}"), speed=speed)  # fmt: skip
     return {f"{name}_ddot": value} | {n: accelerations[n] for n in resting}

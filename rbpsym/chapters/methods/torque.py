@@ -62,10 +62,11 @@ def _balances(draft: Draft, found: Plan) -> list[Step]:
 def _balance(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> Step:
     if balance.kind == "force":
         pushed = _push(draft, balance)
-        if balance.left and not balance.right and len(balance.unknowns) > 1 and not balance.label.startswith(TURNING):
+        is_used = len(balance.unknowns) > 1 or draft.study.momentum_speeds
+        if balance.left and not balance.right and is_used and not balance.label.startswith(TURNING):
             _kept_momentum(draft, balance, pushed)
         return pushed
-    whole = _rate(draft, balance, _net_torque(draft, balance))
+    whole = _rate(draft, balance, _net_torque(draft, balance), settled)
     if balance.kind == "fixed" and len(balance.bodies) > 1 and not _is_rigid(draft, balance.bodies):
         by_bodies(draft, balance, settled)
     return whole
@@ -120,16 +121,17 @@ def _manner(draft: Draft, balance: Balance) -> str:
     return "contact" if touching else balance.kind
 
 
-def _rate(draft: Draft, balance: Balance, net: Step) -> Step:
+def _rate(draft: Draft, balance: Balance, net: Step, settled: Mapping[str, Step]) -> Step:
     """Rate of change of angular momentum = net torque."""
-    momenta = _momenta(draft, balance)
-    statement = t.equation(_left(draft, balance), draft.show(balance.right, factor=True))
+    momenta, used = _momenta(draft, balance), {n: step for n, step in settled.items() if derivative(balance.left, n)}
+    statement = t.equation(_left(draft, balance, used), draft.show(balance.right, factor=True))
     return draft.add(
         f"balance.{'.'.join(balance.bodies)}",
         "balance",
         statement,
         f"torque.balance.{balance.kind if momenta or balance.kind != 'fixed' else 'fixed_unseen'}",
-        premises=[net.id, *(ref.id for ref in momenta if ref.id.endswith(f".{balance.label}"))],
+        premises=[net.id, *(ref.id for ref in momenta if ref.id.endswith(f".{balance.label}")), *(s.id for s in used.values())],
+        settled=_settled(used),
         point=_point(draft, balance),
         bodies=bodies_named(balance.bodies),
         net=StepRef(net.id),
@@ -147,16 +149,16 @@ def _momenta(draft: Draft, balance: Balance) -> list[StepRef]:
     return [StepRef(id) for id in [id for id in ids if draft.has(id)] or spins]
 
 
-def _left(draft: Draft, balance: Balance) -> t.Node:
-    """The inertial side; about a moving point the two parts stand separately."""
+def _left(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> t.Node:
+    """The inertial side, without what is `settled`; about a moving point the two parts stand separately."""
     if balance.kind in ("moving", "crossing"):
         orbital, spin = NOTHING, NOTHING
         for name in balance.bodies:
             state = draft.study.system.bodies[name]
             orbital = orbital + state.mass * (state.center - balance.where).cross(state.acceleration)
             spin = spin + state.moment * state.alpha
-        return t.add(*(draft.show_brief(short(part)) for part in (orbital, spin) if not is_zero(part)))
-    return draft.show_brief(balance.left)
+        return t.add(*(draft.show_brief(short(_without(part, settled))) for part in (orbital, spin) if not is_zero(part)))
+    return draft.show_brief(_without(balance.left, settled))
 
 
 def _push(draft: Draft, balance: Balance) -> Step:

@@ -37,7 +37,7 @@ def draw_length(mark: LengthMark, sketch: Sketch) -> Scene:
     items = marks.dimension(mark.start, mark.end, aside)
     middle = marks.between(mark.start, mark.end, 0.5, aside)
     toward = direction(mark.start, mark.end) + math.copysign(UP, aside)
-    return Scene(items, labelled(mark.label, middle, toward, gap=0.05))
+    return Scene(items, labelled(mark.label, middle, toward, gap=0.05, both=True))
 
 
 def ranks(lengths: tuple[LengthMark, ...]) -> dict[LengthMark, int]:
@@ -67,7 +67,7 @@ def draw_radius(mark: RadiusMark, sketch: Sketch) -> Scene:
     rim = polar(mark.at, mark.radius, angle)
     middle = marks.between(mark.at, rim, 0.6)
     items = (marks.arrow(mark.at, rim, "dimension"),)
-    return Scene(items, labelled(mark.label, middle, angle + UP, gap=0.04))
+    return Scene(items, labelled(mark.label, middle, angle + UP, gap=0.04, both=True))
 
 
 def free_direction(at: Point, sketch: Sketch) -> float:

@@ -128,7 +128,8 @@ class Arc(Frozen):
 class Label(Frozen):
     """A formula or word beside `target`; `toward` is the wanted direction (radians) or None.
 
-    `place` (its centre) is found by `placing.placed` if it is not given; `gap` is the least distance in cm.
+    `place` (its centre) is found by `placing.placed` if it is not given; `gap` is the least distance in cm; `both`: the other
+    side of a line is nearly as good.
     """
 
     content: Node | str
@@ -138,6 +139,7 @@ class Label(Frozen):
     color: str = "ink"
     place: Point | None = None
     size: tuple[float, float] = (0.0, 0.0)
+    both: bool = False
 
     @property
     def center(self) -> Point:
@@ -302,7 +304,8 @@ def candidates(label: s.Label) -> Iterator[tuple[float, s.Point]]:
     start = math.pi / 4 if label.toward is None else label.toward
     weight = 0.02 if label.toward is None else 0.12
     found = [
-        (weight * abs(turn) + 1.2 * step, around(label, start + turn * math.pi / 8, step))
+        (weight * abs(turn) + 1.2 * step + 0.15 * side, around(label, start + turn * math.pi / 8 + side * math.pi, step))
+        for side in range(1 + label.both)
         for step in STEPS
         for turn in TURNS
     ]

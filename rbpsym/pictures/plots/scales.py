@@ -16,6 +16,7 @@ from rbpsym.mechanics.study import Study
 from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER, Dimension, Quantity
 from rbpsym.statement.model import Problem
 from rbpsym.statement.units import unit_of, unit_text
+from rbpsym.statement.unused import unused
 
 CLOCKS = tuple(
     DIMENSIONS[name] for name in ("acceleration", "stiffness", "torsion stiffness", "speed", "angular speed", "force")
@@ -111,12 +112,12 @@ def powered(name: str, power: Fraction) -> t.Node:
 
 def told_numbers(problem: Problem, found: Scales, decimal: str = ".") -> Iterator[t.Node]:
     """The numbers that were taken: as the author gave them, or as multiples of the base."""
+    idle, turned = unused(problem), angles(problem)
     if not found.base:
-        yield from (example(name, text, decimal) for name, text in problem.example.items())
+        yield from (example(name, text, decimal) for name, text in problem.example.items() if name not in idle)
         return
-    turned = angles(problem)
     for quantity in problem.parameters:
-        if quantity in found.base or quantity.name not in found.numbers:
+        if quantity in found.base or quantity.name not in found.numbers or quantity.name in idle:
             continue
         value = found.numbers[quantity.name]
         if quantity.dimension == NUMBER and quantity.name in turned:

@@ -232,7 +232,7 @@ def panel(
 def changes(moving: PlottedMotion) -> tuple[PlotMark, ...]:
     """Where one phase ends and the next begins, on the axis of the time."""
     size = moving.scales.of(TIME).size
-    return tuple(PlotMark(leg.began / size, leg.name) for leg in moving.whole.legs[1:])
+    return tuple(PlotMark(leg.began / size, leg.name) for leg in moving.whole.legs if leg.began)
 
 
 # --- energies and speeds
@@ -243,15 +243,16 @@ def energies(moving: PlottedMotion) -> Iterator[Panel]:
     scale = moving.scales.of(ENERGY)
     kinetic = list(curves(of_rule("kinetic_energy"), moving.real, scale))
     potential = list(curves(of_rule("potential"), moving.real, scale))
-    parts, total = [*kinetic, *potential][: MOST - 1], cast(t.Node, t.Sym("E"))
-    if potential and spread(kinetic) < HARDLY * spread(parts):
+    changing = [one for one in potential if spread([since_start(one)]) > 1e-9 * spread([one])]
+    parts, total = [*kinetic, *changing][: MOST - 1], cast(t.Node, t.Sym("E"))
+    if changing != potential or (potential and spread(kinetic) < HARDLY * spread(parts)):
         parts, total = list(map(since_start, parts)), t.Delta(total)
     if parts:
         whole = [PlotCurve(total, np.sum([one.values for one in parts], axis=0), "curve sum")] if len(parts) > 1 else []
         yield replace(panel(moving, moving.real, (*parts, *whole), scale), kind="energies")
 
 
-HARDLY = 0.12  # of the height: where the kinetic energy is less, all energies are counted from the start
+HARDLY = 0.12  # of the height: where the kinetic energy is less, or one stays, all energies are counted from the start
 
 
 def spread(found: Sequence[PlotCurve]) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
 from hashlib import sha256
@@ -14,7 +15,7 @@ from rbpsym.expr.tree import Node
 from rbpsym.frozen import Frozen, field
 from rbpsym.teaching.exports.page import TEX, PictureTag, SetFormula, image, slug, svg, table, zipped
 from rbpsym.teaching.formats import Exported
-from rbpsym.teaching.model import Item, OrderKey, Slip, Worksheet
+from rbpsym.teaching.model import Item, OrderKey, SignsKey, Slip, Worksheet
 from rbpsym.teaching.wording import feedback, left_out, word
 
 # what a format may be unable to carry; a platform may say it in other words, and "" where it is able to
@@ -114,8 +115,10 @@ class ExportDesk(Frozen):
         return plain_text(inlines, self.worksheet.notation, self.worksheet.language)
 
     def question(self, item: Item) -> str:
-        """The statement of the problem and what is asked, so that each question stands alone."""
-        return self.html((*self.worksheet.part_of(item.id).statement, *item.prompt))
+        """The statement of the problem and what is asked, so that each question stands alone; of signs what has a field."""
+        is_of_signs, statement = isinstance(item.key, SignsKey), self.worksheet.part_of(item.id).statement
+        text = self.html((*statement, *item.prompt[: 1 if is_of_signs else None]))
+        return ON_PAPER.sub("", text) if is_of_signs else text
 
     def solution(self, item: Item) -> str:
         """The way to the answer, "" if none is given."""
@@ -124,6 +127,9 @@ class ExportDesk(Frozen):
     def feedback(self, slip: Slip | None) -> str:
         """The feedback of a wrong answer as HTML."""
         return f"<p>{self.inlines(feedback(slip, self.worksheet))}</p>"
+
+
+ON_PAPER = re.compile(r"\(a\) [^<]*?\(b\) | \(c\) [^<]*?(?=</p>)")  # what one draws, and the letters of what cancels
 
 
 def in_packages(

@@ -76,7 +76,7 @@ def signs(key: m.SignsKey, item: m.Item, desk: ExportDesk) -> Matching:
     pairs = []
     for row in key.rows:
         for work, sign in (("translational", row.translational), ("rotational", row.rotational)):
-            pairs.append((f"{q.force_of(row, desk)}, {desk.word(work)}", sign.replace("-", "−")))
+            pairs.append((f"{desk.inlines(row.label)}, {desk.word(work)}", sign.replace("-", "−")))
     return Matching(tuple(pairs))
 
 

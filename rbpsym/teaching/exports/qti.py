@@ -82,7 +82,7 @@ def signs(key: m.SignsKey, item: m.Item, desk: ExportDesk) -> Signs:
     for place, row in enumerate(key.rows, start=1):
         works = (("translational", row.translational), ("rotational", row.rotational))
         fields = tuple((f"{work[0].upper()}{place}", desk.word(work), SIGN_NAMES[sign]) for work, sign in works)
-        rows.append((q.force_of(row, desk), fields))
+        rows.append((desk.inlines(row.label), fields))
     return Signs(tuple(rows), float(item.points) / (2 * len(rows)))
 
 

@@ -164,7 +164,7 @@ def signs(key: m.SignsKey, item: m.Item, desk: ExportDesk) -> Fields:
             for work, sign in (("T", row.translational), ("R", row.rotational))
         ]
         cells = "".join(f"<td>{desk.platform.dropdown(field)}</td>" for field in own)
-        rows += f"<tr><td>{force_of(row, desk)}</td>{cells}</tr>"
+        rows += f"<tr><td>{desk.inlines(row.label)}</td>{cells}</tr>"
         fields += own
     head = "".join(f"<th>{desk.word(name)}</th>" for name in ("row", "translational", "rotational"))
     return Fields(f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>", tuple(fields))
@@ -177,11 +177,6 @@ def note_cancelling(key: m.SignsKey, item: m.Item, desk: ExportDesk) -> None:
     """No platform asks which works cancel."""
     if any(row.cancels for row in key.rows):
         desk.lacks(item, "cancelling")
-
-
-def force_of(row: m.SignRow, desk: ExportDesk) -> str:
-    """The head of a row of signs."""
-    return f"{desk.formula(row.force)} ({desk.inlines(row.label)})"
 
 
 def order_in_pairs(key: m.OrderKey, item: m.Item, desk: ExportDesk) -> Fields:

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
+from rbpsym.decide.rooted import rooted
 from rbpsym.expr import tree as t
-from rbpsym.field import Scalar, substitute
+from rbpsym.field import Scalar, Vector, function, substitute
 from rbpsym.mechanics.friction import geometry_of
 from rbpsym.mechanics.geometry import pair
 from rbpsym.mechanics.study import Study
 from rbpsym.present.forms import present
 from rbpsym.proof.step import BodyRef
+from rbpsym.statement.model import PointRef
 from rbpsym.teaching.misconceptions import model as change
 from rbpsym.teaching.misconceptions.model import Misconception, Site
 from rbpsym.teaching.targets import axes
@@ -24,7 +26,7 @@ def _momentum_kept_at_hinge(study: Study) -> Iterator[Site]:
 
     The same speeds come of a body whose moment about the hinge is M d b: that is how it is worked out.
     """
-    for _, body, arm, reach in _struck(study):
+    for body, arm, reach in _struck(study):
         state = study.system.bodies[body]
         wrong = state.mass * arm * (reach - arm)
         yield Site({"body": BodyRef(body)}, partial(_with_moment, study, body, wrong))
@@ -32,23 +34,42 @@ def _momentum_kept_at_hinge(study: Study) -> Iterator[Site]:
 
 def _struck_at_center(study: Study) -> Iterator[Site]:
     """The impulse on a hinged body is given the lever arm of its centre of mass."""
-    for _, body, arm, reach in _struck(study):
+    for body, arm, reach in _struck(study):
         state = study.system.bodies[body]
         whole = state.moment + state.mass * axes(study)[body][1]
         yield Site({"body": BodyRef(body)}, partial(_with_moment, study, body, whole * reach / arm - state.mass * arm * arm))
 
 
-def _struck(study: Study) -> Iterator[tuple[str, str, Scalar, Scalar]]:
-    """Collisions with bodies on a hinge: the distances of the centre of mass and of the impulse's line from the hinge."""
-    geometry = geometry_of(study.system)
-    for element in (e for phase in study.problem.phases for e in phase.impulses if e.kind == "collision"):
-        for ref in element["points"]:
-            if ref.body in axes(study):
-                hinge, line = study.origins[axes(study)[ref.body][0]], pair(element["along"])
-                places = (study.system.bodies[ref.body].center, geometry.where(ref))
-                arm, reach = (substitute((at - hinge).cross(line), study.system.scope.start) for at in places)
-                if arm and reach:
-                    yield element.name, ref.body, arm, reach
+def _struck(study: Study) -> Iterator[tuple[str, Scalar, Scalar]]:
+    """Bodies on a hinge that are struck: the distances of the centre of mass and of the impulse's line from the hinge."""
+    geometry, start = geometry_of(study.system), study.system.scope.start
+    for ref, line in (*_impulses(study), *((on, study.system.bodies[come].velocity) for on, come in _joined(study))):
+        size = rooted(function("sqrt", substitute(line.dot(line), start)), study.assumptions)
+        if (body := ref.body or "") in axes(study) and size:
+            hinge = study.origins[axes(study)[body][0]]
+            places = (study.system.bodies[body].center, geometry.where(ref))
+            arm, reach = (substitute((at - hinge).cross(line), start) / size for at in places)
+            if arm and reach:
+                yield body, arm, reach
+
+
+def _impulses(study: Study) -> Iterator[tuple[PointRef, Vector]]:
+    """Where collisions and blows act, and along which line."""
+    for element in (e for phase in study.problem.phases for e in phase.impulses):
+        if element.kind == "collision":
+            yield from ((ref, pair(element["along"])) for ref in element["points"])
+        elif element.kind == "blow":
+            yield element["on"], pair(element["impulse"])
+
+
+def _joined(study: Study) -> Iterator[tuple[PointRef, str]]:
+    """Bodies that come on in a phase and were free before, and the point of the other on which they come."""
+    held = {ref.body for e in study.problem.constraints for ref in e.values.get("points", ())}
+    for phase in study.problem.phases:
+        for element in phase.problem.of_kind("pin", "weld"):
+            first, second = element["points"]
+            if element not in study.problem.constraints and first.body and second.body and second.body not in held:
+                yield first, second.body
 
 
 def _with_moment(study: Study, body: str, moment: Scalar) -> Study:
@@ -57,13 +78,10 @@ def _with_moment(study: Study, body: str, moment: Scalar) -> Study:
 
 def _spin_kept(study: Study) -> Iterator[Site]:
     """ω, not L, is kept when a body comes on: its part of the moment of inertia is left out."""
-    held = {ref.body for e in study.problem.constraints for ref in e.values.get("points", ())}
-    for phase in study.problem.phases:
-        for element in phase.problem.of_kind("pin", "weld"):
-            first, second = (ref.body for ref in element["points"])
-            if element in study.problem.constraints or None in (first, second) or second in held:
-                continue
-            yield Site({"body": BodyRef(second), "carrier": BodyRef(first)}, partial(_without_mass, study, second))
+    for on, body in _joined(study):
+        carrier = on.body or ""
+        if substitute(study.system.bodies[carrier].omega, study.system.scope.start):
+            yield Site({"body": BodyRef(body), "carrier": BodyRef(carrier)}, partial(_without_mass, study, body))
 
 
 def _without_mass(study: Study, body: str) -> Study:

@@ -5,12 +5,14 @@ All others say what was done (a test names them). What is not true at a place is
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 
 from rbpsym.field import NOTHING, Scalar, depends_on, is_zero
 from rbpsym.mechanics.dynamics import torque_about_center
 from rbpsym.mechanics.study import Study
 from rbpsym.teaching.misconceptions.model import Site
+from rbpsym.teaching.target import Target
 
 Condition = Callable[[Study, Site], bool]
 
@@ -74,9 +76,15 @@ ASKED_OF: Mapping[str, tuple[str, ...]] = {  # a sum, no single body; what comes
 }
 
 
-def is_asked_of(name: str, target: str) -> bool:
-    """Whether the feedback of a misconception speaks of a target with this id."""
-    return target.startswith(ASKED_OF.get(name, ""))
+OF_BLOWS = ("momentum-kept-at-hinge", "struck-at-center-of-mass")  # worked out with a moment that holds in the blow alone
+SPEED_AFTER = re.compile(r"[\w ]*(?:speed|velocity) of [\w. ]+ when [\w -]+ begins")
+
+
+def is_asked_of(name: str, target: Target) -> bool:
+    """Whether the feedback of a misconception speaks of a target; that on blows of a speed right after."""
+    if name in OF_BLOWS and not SPEED_AFTER.fullmatch(target.slots["question"].text):
+        return False
+    return target.id.startswith(ASKED_OF.get(name, ""))
 
 
 def is_true(name: str, study: Study, site: Site) -> bool:
