@@ -51,7 +51,10 @@ def answer(asked: Asked, question: Question, letter: str = LETTER) -> Answer:
 def found_of(asked: Asked, question: Question) -> Found:
     """What is found for a quantity, not certified yet. Raises StatementError as `answer` does."""
     if question.quantity == "time":
-        ends = (question.when, question.since) if question.since else (question.when,)
+        since = question.since
+        if since is None and question.when and question.phase and asked.named(question.phase):  # as a work, from its beginning
+            since = When("begins", (question.phase,), f"when {question.phase} begins")
+        ends = (question.when, since) if since else (question.when,)
         return _since(*(_time(asked, replace(question, when=end)) for end in ends))
     found = _along(asked, question) if question.when is None else _then(asked, question, question.when)
     if any(names_in(value) & left_open(found.study) for value in found.values):

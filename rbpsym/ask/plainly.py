@@ -103,7 +103,7 @@ HEIGHT = re.compile(
 )
 DISTANCE = (  # up to the first rest, to which it goes one way
     r"(?:^|(?<=for which ))(?:(?:stopping|braking|sliding) distance(?: of)?|distance (?:travelled|covered|moved)(?: by)?)"
-    r"(?: (?!until)(\w+))?(?: until (\w+ (?:stops|comes to rest)))?(?=$|,? with | = )"
+    r"(?: (?!until|in)(\w+))?(?P<phase> in phase [\w-]+)?(?: until (\w+ (?:stops|comes to rest)))?(?=$|,? with | = )"
 )
 OF_SWINGS = (
     r"^((?:(?:undamped|damped|natural|circular|angular) )*(?:frequency|period|amplitude)|damping ratio|logarithmic decrement|"
@@ -186,16 +186,19 @@ def _displaced(asked: Asked, said: re.Match[str]) -> str:
     """The way of the coordinate that is named, or alone moves, if it is a length; of a body that moves along a line, the size of
     its own."""
     study, names = asked.study(asked.lasting), asked.problem.body_names
-    way, end = None if study.at_start else mover(study), said[2] or "it stops"
+    phase = said["phase"] or ""
+    if phase and not said[3]:
+        return said[0]
+    way, end = None if study.at_start else mover(study), said[3] or "it stops"
     if said[1] in names and len(names) > 1:
         with suppress(RbpsymError):
             if along_a_line(asked, said[1], coordinate_of(asked, said[1])):
-                return f"magnitude of displacement of {said[1]} until {said[2] or f'{said[1]} stops'}"
+                return f"magnitude of displacement of {said[1]}{phase} until {said[3] or f'{said[1]} stops'}"
         return said[0]
     way = way if said[1] in (None, "it", way, *names) else None
     if way is None or asked.problem.dimensions[way] != LENGTH:
         return said[0]
-    return f"{_way(asked, way)} until {end}"
+    return f"magnitude of displacement of {way}{phase} until {end}" if phase else f"{_way(asked, way)} until {end}"
 
 
 def _extreme(asked: Asked, said: re.Match[str]) -> str:

@@ -196,6 +196,8 @@ without = ["N"]
 ASKED = (
     # a place that a coordinate tells is told so in its own phase: on the roof x and y are tied, in flight they are not
     (ROOF, "speed of ball after ball has fallen h in phase flight", "sqrt(2*g*h + 10*g*d*sin(beta)/7)", []),
+    (ROOF, "time in phase flight until ball has fallen h",  # from the beginning of that phase, as a work
+     "(sqrt(10*g*d*sin(beta)^3/7 + 2*g*h) - sqrt(10*g*d*sin(beta)^3/7))/g", []),
     (ROOF, "speed of ball after ball has fallen h", "sqrt(10*g*h/7)", ["d*sin(beta) - h >= 0"]),
     (PLATE, "largest angular speed of plate", "sqrt(3*g*(sqrt(a^2 + b^2) - b)/(a^2 + b^2))", []),
     (PLATE, "theta where theta comes to rest", "-2*atan(a/b)", []),

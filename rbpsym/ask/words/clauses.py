@@ -272,6 +272,9 @@ Span
   Until BeginClause -> <2>until {BeginClause}
   from (start|rest|release|beginning) (to|until|till|up to) [where|when|moment when|instant when|moment|instant] Event ->
       <2>until {Event}
+  from (beginning|start) of (phase Phase|Phase) (to|until|till|up to) [where|when] Event -> <1>in phase {Phase} <2>until
+      {Event}
+  from when Phase Begins (to|until|till|up to) [where|when] Event -> <1>in phase {Phase} <2>until {Event}
   between (start|release) and [moment when|instant when|where|when] Event -> <2>until {Event}
   (in|during) Gerund -> <2>until {Gerund}
   (during|in|over|throughout) (phase Phase|Phase) -> <1>in phase {Phase}
