@@ -62,9 +62,9 @@ class Samples(Frozen):
     def _sign(self, poly: Poly, k: int) -> int:
         try:
             terms = [self._term(m, c, k) for m, c in poly.terms.items()]
-        except (ArithmeticError, ValueError):
+            total = math.fsum(terms)
+        except (ArithmeticError, ValueError):  # of ∞ - ∞, too
             return 0
-        total = math.fsum(terms)
         if not abs(total) > CLEAR * math.fsum(map(abs, terms)):
             return 0
         return PLUS if total > 0 else MINUS
