@@ -245,7 +245,7 @@ class Search:
 
     def _sought(self, claim: Proposition) -> Proof:
         self.met_by = claim.given
-        for item in claim.given:
+        for item in (*claim.given, *(item for name, item in self.given.items() if "'while" in name)):
             if item.kind == "differ":
                 self.nonzero |= self.value(item.left).atoms()
             elif item.kind == "more" and item.right == t.ZERO and isinstance(item.left, t.Sym):
@@ -308,9 +308,10 @@ class Search:
         """The equations among the premises, now, and at the start if that is spoken of."""
         equal = {name: item for name, item in self.given.items() if item.kind == "equal"}
         equal |= {f"g{place}": item for place, item in enumerate(claim.given, 1) if item.kind == "equal"}
+        held = {part: name for name, part in self.given.items()} | {part: f"g{n}" for n, part in enumerate(claim.given, 1)}
         for name, item in equal.items():
-            if set(item.given) <= set(claim.given):
-                yield KnownEquation(name, item, by=tuple(f"g{claim.given.index(part) + 1}" for part in item.given))
+            if set(item.given) <= held.keys():
+                yield KnownEquation(name, item, by=tuple(held[part] for part in item.given))
         spoken = {n for item in (claim, *equal.values()) for side in (item.left, item.right) for n in t.names(side)}
         if any(name.endswith(START) for name in spoken):
             plain = {name: item for name, item in self.given.items() if item.kind == "equal" and not item.given}
