@@ -77,8 +77,7 @@ def by_rates(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> Mu
 
 def _begins(search: Search, rest: Scalar, known: Sequence[KnownEquation]) -> Multiples:
     """By what it is 0 at the start."""
-    given = (item for item in known if item.name in search.given and item.when == "t")
-    first = [KnownEquation(item.name, item.claim, "0", item.by) for item in given]
+    first = [KnownEquation(i.name, i.claim, "0", i.by) for i in known if i.name in search.given and i.when == "t"]
     begin, begun = search.follow(search.at_start(rest), first)
     if not search.vanishes(begin):
         raise Undecided("at the start, of left - right stays " + brief(search.tree(begin)))
