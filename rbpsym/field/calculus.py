@@ -161,8 +161,9 @@ def _odd(values: Mapping[Scalar, Scalar]) -> dict[Scalar, Scalar]:
 
 
 HALF = Fraction(1, 2)
-SINES = _odd({lift(HALF): PI / 6, root(lift(HALF)): PI / 4, root(lift(3)) / 2: PI / 3, UNITY: PI / 2})
-TANGENTS = _odd({root(lift(3)) / 3: PI / 6, UNITY: PI / 4, root(lift(3)): PI / 3})
+ROOT_2, ROOT_3 = root(lift(2)), root(lift(3))
+SINES = _odd({lift(HALF): PI / 6, ROOT_2 / 2: PI / 4, 1 / ROOT_2: PI / 4, ROOT_3 / 2: PI / 3, UNITY: PI / 2})
+TANGENTS = _odd({ROOT_3 / 3: PI / 6, 1 / ROOT_3: PI / 6, UNITY: PI / 4, ROOT_3: PI / 3})
 
 
 FUNCTIONS: dict[str, Callable[[Scalar], Scalar]] = {

@@ -250,8 +250,12 @@ Proof. intros x P. nra. Qed.
 Ltac inside_known := match goal with W : forall t, ?a < t < ?b -> 0 < 1 + - ?x ^ 2, H : ?a < ?s < ?b |- -1 <= ?y <= 1 =>
   first [constr_eq x y | replace y with x by (first [poly | field; pos])]; exact (inside x (W s H)) end.
 Ltac within := first [lra | inside_known | apply part_of; [solve [repeat pos1] | split; nra]].
+Lemma sin_5PI6 : sin (5 * PI / 6) = 1 / 2.
+Proof. replace (5 * PI / 6) with (PI - PI / 6) by field. rewrite sin_minus, sin_PI, cos_PI, sin_PI6. field. Qed.
+Lemma cos_5PI6 : cos (5 * PI / 6) = - (sqrt 3 / 2).
+Proof. replace (5 * PI / 6) with (PI - PI / 6) by field. rewrite cos_minus, sin_PI, cos_PI, cos_PI6. field. Qed.
 Ltac ang := rewrite ?Rmult_0_l, ?Rmult_0_r, ?Ropp_0, ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_PI2, ?cos_PI2,
-  ?sin_PI, ?cos_PI, ?sin_0, ?cos_0, ?sin_2a, ?cos_2a, ?sin_atan, ?cos_atan, ?exp_0, ?ln_1;
+  ?sin_PI, ?cos_PI, ?sin_PI6, ?cos_PI6, ?sin_5PI6, ?cos_5PI6, ?sin_0, ?cos_0, ?sin_2a, ?cos_2a, ?sin_atan, ?cos_atan, ?exp_0, ?ln_1;
   rewrite ?cos_acos, ?sin_acos, ?sin_asin, ?cos_asin by within; unfold Rsqr.
 Ltac is_quotient := match goal with
   | |- context [_ / ?d] => lazymatch d with IZR _ => fail | _ => idtac end

@@ -25,7 +25,7 @@ class KnownEquation(Frozen):
     @property
     def is_free(self) -> bool:
         """Whether it holds at all times."""
-        return not self.by and not (self.name[0] == "g" and self.name[1:].isdigit())
+        return not any(name[0] == "g" and name[1:].isdigit() for name in (self.name, *self.by))
 
 
 class Multiples(Frozen):

@@ -101,25 +101,26 @@ def lemma_of(
 ) -> Lemma:
     """A claim as a lemma; where it needs them, on the `printed` conditions. known: premises, what is declared."""
     read_back(found.writer.said(claim), claim, found.source)  # raises for what has no term
-    claim, proof, search = _proved(found.source, printed, claim, known)
-    every = {**known[0], **known[1]}
+    claim, proof, search = _proved(found.source, name, printed, claim, known)
+    every = search.given
     names = _used(search, claim, proof, every)
     return Lemma(name, claim, {name: item for name, item in every.items() if name in names}, proof)
 
 
 def _proved(
-    source: ClaimSource, printed: Iterable[Proposition], claim: Proposition, known: tuple[Propositions, Propositions]
+    source: ClaimSource, name: str, printed: Iterable[Proposition], claim: Proposition, known: tuple[Propositions, Propositions]
 ) -> tuple[Proposition, Proof, Search]:
     claims, further = known
     held = (part for item in (*claims.values(), *further.values()) for part in item.given)
     conditions = [part for part in dict.fromkeys((*printed, *held)) if part not in claim.given]
+    lasting = {f"{name}'while{place}": part for place, part in enumerate(conditions, 1)}
     made = None
-    for given in (claim.given, (*claim.given, *conditions)) if conditions else (claim.given,):
-        search = Search(source, {**claims, **further}, further)
+    for given, more in ((claim.given, {}), ((*claim.given, *conditions), {}), (claim.given, lasting))[: 3 if conditions else 1]:
+        search = Search(source, {**claims, **further, **more}, further)
         try:
             made = replace(claim, given=given), search.prove(replace(claim, given=given)), search
         except Undecided:
-            if made is None and (given != claim.given or not conditions):
+            if made is None and (more or not conditions):
                 raise
         if made is not None and search.is_sure:
             break
@@ -131,7 +132,7 @@ def _used(search: Search, claim: Proposition, proof: Proof, claims: Mapping[str,
     """Names of premises in a proof; rates and starts of letters are used where derivatives are taken."""
     parts = [proof.multiples, *(proof.like or ())[1:], *(by for have in proof.steps for by in have.accounts)]
     names = {known.name for part in parts for _, known in part.known}
-    names |= {name for have in proof.steps for name in have.source.split()}
+    names |= {name for have in proof.steps for name in have.source.split()} | {name for name in claims if "'while" in name}
     derived = [node for have in proof.steps for node in (have.of, have.claim.left)] + list((proof.like or ())[:1])
     rated = _letters(search.source, derived)
     early = [known.claim for part in parts for _, known in part.known if known.when == "0"]

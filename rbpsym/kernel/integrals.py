@@ -59,7 +59,7 @@ def _course(search: Search, name: str, known: Sequence[KnownEquation]) -> KnownE
     way = None if any(map(search.moving, names_in(rate) - {TIME})) else antiderivative(rate, TIME)
     if way is None:
         raise Undecided("its rate is no function of the time")
-    begun = [KnownEquation(item.name, item.claim, "0") for item in known if item.name in search.given]
+    begun = [KnownEquation(item.name, item.claim, "0", item.by) for item in known if item.name in search.given]
     start, _ = search.follow(search.at_start(symbol(name)), begun)
     by_rates(search, symbol(name) - start - way + substitute(way, {TIME: NOTHING}), known)
     have = search.haves[-1]
@@ -77,7 +77,7 @@ def by_rates(search: Search, goal: Scalar, known: Sequence[KnownEquation]) -> Mu
 
 def _begins(search: Search, rest: Scalar, known: Sequence[KnownEquation]) -> Multiples:
     """By what it is 0 at the start."""
-    first = [KnownEquation(item.name, item.claim, "0") for item in known if item.name in search.given and item.when == "t"]
+    first = [KnownEquation(i.name, i.claim, "0", i.by) for i in known if i.name in search.given and i.when == "t"]
     begin, begun = search.follow(search.at_start(rest), first)
     if not search.vanishes(begin):
         raise Undecided("at the start, of left - right stays " + brief(search.tree(begin)))

@@ -70,7 +70,7 @@ def _completed(poly: Poly, index: int, positive: Set[int]) -> tuple[Poly, ...] |
     """What is quadratic in a letter x: 4A (A x² + B x + C) = 4A C - B² + (2A x + B)²: what is left, by what it is over, what
     is squared."""
     parts = poly.by_power(index)
-    if not {1, 2} <= parts.keys() <= {0, 1, 2} or not _is_plain(parts[2], positive):
+    if not {1, 2} <= parts.keys() <= {0, 1, 2} or not is_plain(parts[2], positive):
         return None
     a, b, c = parts[2], parts[1], parts.get(0, Poly({}))
     return (a * c).scaled(4) - b * b, a.scaled(4), a.scaled(2) * generator(index) + b
@@ -85,12 +85,13 @@ def _swung(poly: Poly, index: int, positive: Set[int]) -> tuple[Poly, ...] | Non
         powers, rest = dict(monomial), tuple(item for item in monomial if item[0] not in (sine, cosine))
         parts.setdefault((powers.get(sine, 0), powers.get(cosine, 0)), {})[rest] = coefficient
     a, b, d = (Poly(parts.pop(powers, {})) for powers in ((0, 0), (0, 1), (1, 0)))
-    if parts or not a or not _is_plain(a, positive):
+    if parts or not a or not is_plain(a, positive):
         return None
     return a * a - b * b - d * d, a.scaled(2), poly, b * generator(sine) - d * generator(cosine)
 
 
-def _is_plain(poly: Poly, positive: Set[int]) -> bool:
+def is_plain(poly: Poly, positive: Set[int]) -> bool:
+    """Whether all its terms are positive."""
     return all(c > 0 and _is_above(m, positive) for m, c in poly.terms.items())
 
 

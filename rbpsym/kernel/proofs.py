@@ -17,7 +17,7 @@ from rbpsym.kernel.claim import TIME, Proposition, brief, is_along_time, letter,
 from rbpsym.kernel.claims import ClaimSource
 from rbpsym.kernel.components import START, started
 from rbpsym.kernel.integrals import by_course, by_rates, courses, integrated
-from rbpsym.kernel.positive import PositiveSum
+from rbpsym.kernel.positive import PositiveSum, is_plain
 from rbpsym.kernel.radicals import more, rootless
 from rbpsym.kernel.ranges import note_gaps, note_number, note_signs, signed, within
 from rbpsym.typeset.machine import to_machine
@@ -173,10 +173,10 @@ class Search:
         left = rootless(self, circles(combining.based(self, value), lifted=True)[1])[0]
         return not circles(left, lifted=True)[1]
 
-    def is_positive(self, value: Scalar) -> bool:
-        """Whether it is a sum of positive terms over a positive one."""
-        parts = (value.num, value.den)
-        return all(p.atoms() <= self.positive and all(c > 0 for c in p.terms.values()) for p in parts) and bool(value)
+    def is_positive(self, value: Scalar, *, ranged: bool = False) -> bool:
+        """Whether it is a sum of positive terms over a positive one; `ranged`: by what ranges keep above 0, too."""
+        known = self.positive | self.certain | self.gaps if ranged else self.positive
+        return bool(value) and all(is_plain(poly, known) for poly in (value.num, value.den))
 
     def _unrated(self, name: str) -> bool:
         return self.moving(name) and name not in self.rates and name not in self.source.circular
@@ -245,7 +245,7 @@ class Search:
 
     def _sought(self, claim: Proposition) -> Proof:
         self.met_by = claim.given
-        for item in claim.given:
+        for item in (*claim.given, *(item for name, item in self.given.items() if "'while" in name)):
             if item.kind == "differ":
                 self.nonzero |= self.value(item.left).atoms()
             elif item.kind == "more" and item.right == t.ZERO and isinstance(item.left, t.Sym):
@@ -308,9 +308,10 @@ class Search:
         """The equations among the premises, now, and at the start if that is spoken of."""
         equal = {name: item for name, item in self.given.items() if item.kind == "equal"}
         equal |= {f"g{place}": item for place, item in enumerate(claim.given, 1) if item.kind == "equal"}
+        held = {part: name for name, part in self.given.items()} | {part: f"g{n}" for n, part in enumerate(claim.given, 1)}
         for name, item in equal.items():
-            if set(item.given) <= set(claim.given):
-                yield KnownEquation(name, item, by=tuple(f"g{claim.given.index(part) + 1}" for part in item.given))
+            if set(item.given) <= held.keys():
+                yield KnownEquation(name, item, by=tuple(held[part] for part in item.given))
         spoken = {n for item in (claim, *equal.values()) for side in (item.left, item.right) for n in t.names(side)}
         if any(name.endswith(START) for name in spoken):
             plain = {name: item for name, item in self.given.items() if item.kind == "equal" and not item.given}

@@ -127,8 +127,7 @@ def sense_of(search: Search, value: Scalar) -> int:
         return 0
     split = [factors(poly) for poly in (inner.num, inner.den)]
     senses = [_sense(search, Scalar(part)) ** exponent for _, parts in split for part, exponent in parts]
-    sense: int = prod(senses, start=1 if prod(number for number, _ in split) > 0 else -1)
-    return sense
+    return int(prod(senses, start=1 if prod(number for number, _ in split) > 0 else -1))
 
 
 def _sense(search: Search, part: Scalar) -> int:
@@ -162,16 +161,10 @@ def _above(search: Search, value: Scalar) -> t.Node:
     """A positive value; by its positive factors if it is no sum of positive terms, which are shown to be so."""
     common, inner = parted(value)
     sides = [factors(poly) for poly in (inner.num, inner.den)]
-    if _is_seen(search, inner) or not all(_sense(search, Scalar(part)) for _, parts in sides for part, _ in parts):
+    if search.is_positive(inner, ranged=True) or not all(_sense(search, Scalar(part)) for _, parts in sides for part, _ in parts):
         return search.tree(value)
     top, below = (t.mul(*(t.power(_factor(search, Scalar(part)), exponent) for part, exponent in parts)) for _, parts in sides)
     return t.div(t.mul(search.tree(common * abs(Fraction(sides[0][0]) / Fraction(sides[1][0]))), top), below)
-
-
-def _is_seen(search: Search, value: Scalar) -> bool:
-    """Whether it is a sum of positive terms over a positive one, by what ranges say, too."""
-    known = search.positive | search.certain | search.gaps
-    return all(poly.atoms() <= known and all(c > 0 for c in poly.terms.values()) for poly in (value.num, value.den))
 
 
 def _factor(search: Search, part: Scalar) -> t.Node:
@@ -179,7 +172,7 @@ def _factor(search: Search, part: Scalar) -> t.Node:
     found = signed(search, part)
     assert found is not None
     node = search.tree(part * found.sign)
-    if not _is_seen(search, part * found.sign) and all(note.claim.left != node for note in search.notes.values()):
+    if not search.is_positive(part * found.sign, ranged=True) and all(note.claim.left != node for note in search.notes.values()):
         have = shown(search, "", (node, part * found.sign), replace(found, sign=1), Multiples(), "more")
         name = f"u{len(search.notes)}"
         search.notes[name] = replace(have, name=name)

@@ -238,7 +238,8 @@ class Writer(Frozen):
         if known.name.startswith("g") and known.name[1:].isdigit():
             return known.name
         name = known.name if known.name[0] in OWN and known.name[1:].isdigit() else f"p_{known.name}"
-        return f"{name} 0 Begin" if "0" in (known.when, time) else " ".join((name, time, f"H{time}", *known.by))
+        at = "0 Begin" if "0" in (known.when, time) else f"{time} H{time}"
+        return " ".join((name, at, *(part if part[1:].isdigit() else f"(p_{part} {at})" for part in known.by)))
 
     def have(self, have: Have, finish: str) -> str:
         """An assertion on the way."""

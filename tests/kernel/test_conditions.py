@@ -37,6 +37,13 @@ pytestmark = pytest.mark.heavy
         ("two-gears", ("energy",)),  # a sum of two products is replaced
         ("rod-with-damper", ("decay.1", "damped.1", "critical.1")),  # where what dies out as the cosine and the sine solves
         ("disk-on-viscous-bearing", ("dissipation.D",)),  # a square times what is not negative
+        ("cylinder-on-wedge", ("friction.N",)),  # below a force there is a difference that is positive
+        ("leaning-sticks", ("friction.N",)),  # 1/cos - cos is sin²/cos
+        ("ball-on-rod-against-cube", ("loss.K",)),  # what stands below the square of a speed moves
+        ("four-bar-linkage", ("instant.second.C",)),  # a condition is differentiated twice, then seen at the start
+        ("yo-yo-held-up", ("dependent.phi",)),  # the tied speed of a hand that is driven is a premise
+        ("hexagonal-prism", ("linear.2", "equilibrium.2")),  # sin 150°; the arctangent of 1/√3 is π/6
+        ("swinging-parallelogram", ("done.T.A.left",)),  # a work up to now, as long as the cosine has not vanished
     ],
 )
 def test_coqc_accepts_it(name: str, ids: tuple[str, ...]) -> None:
