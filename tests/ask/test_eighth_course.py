@@ -37,6 +37,8 @@ ANSWERS = (
     ("collar-beside-hook", "speed of y where y = 3*b/4", "sqrt(3*g*b/2 - k*b**2/(16*m))"),
     ("collar-beside-hook", "k for which y comes to rest at y = 3*b/4", "24*m*g/b"),
     ("collar-beside-hook", "k for which y where y comes to rest = 3*b/4", "24*m*g/b"),
+    ("wheel-on-spring", "x component of velocity of disk.top as a function of the state", "2*x_dot"),
+    ("wheel-on-spring", "y component of acceleration of disk.bottom as a function of the state", "x_dot**2/R"),
     ("rod-on-wire", "length of the simple pendulum with equal period", "L/6"),
 )  # fmt: skip
 
