@@ -204,9 +204,7 @@ def _point_of_body(item: SourceItem, scope: Scope, bodies: Mapping[str, Body], w
     if not dot:
         raise _no_point(item, scope, bodies, what)
     if body not in bodies:
-        raise item.error_inside(
-            f"{what}: there is no body “{body}”", did_you_mean(body, bodies, "bodies"), 1, len(body)
-        )
+        raise item.error_inside(f"{what}: there is no body “{body}”", did_you_mean(body, bodies, "bodies"), 1, len(body))
     known = points_of(bodies[body])
     if point not in known:
         raise item.error_inside(
