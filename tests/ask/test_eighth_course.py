@@ -60,3 +60,9 @@ def test_a_bound_has_the_sign_of_what_it_bounds() -> None:
     answer = answered(asked("pulled-up-slope"), "smallest P for which it does not slip")
     assert answer.verdict.is_proved
     assert "sin(beta) - mu*cos(beta) > 0" in map(to_machine, answer.valid)
+
+
+def test_on_which_side_of_its_hook_a_spring_is_is_a_condition_where_no_start_says_it() -> None:
+    answer = answered(asked("block-on-unsaid-spring"), "acceleration of x")
+    assert answer.verdict.is_proved
+    assert "x > 0" in map(to_machine, answer.valid)
