@@ -147,9 +147,7 @@ def _case(world: AskedPhase, name: str, values: Sequence[Scalar], given: Assumpt
     return list(dict.fromkeys(found))
 
 
-def _under(
-    case: list[Demand], world: AskedPhase, name: str, condition: Wanted, text: str, sense: int, opposite: str
-) -> Finding:
+def _under(case: list[Demand], world: AskedPhase, name: str, condition: Wanted, text: str, sense: int, opposite: str) -> Finding:
     """What is found in a case, with its conditions."""
     if not case:
         return Finding(undecided("for which values it holds is not decided: a sign on the way is open"), name)

@@ -93,9 +93,7 @@ def extremes(value: Scalar, name: str, given: Assumptions, sense: int) -> list[E
     return all_there(found)
 
 
-def least(
-    value: Scalar, along: str, given: Assumptions, fits: Callable[[Extreme], bool]
-) -> tuple[Scalar, list[Extreme]] | None:
+def least(value: Scalar, along: str, given: Assumptions, fits: Callable[[Extreme], bool]) -> tuple[Scalar, list[Extreme]] | None:
     """A value, or another one of the same sign, and where it is least on a way; None where none of them `fits`."""
     other = over_growth(value, along)  # in which the slope of an exponential is none: with it the value is told as it is
     for each in (value, *([] if other is None else [other]), *_by_linear(value, along, given)):

@@ -47,9 +47,7 @@ def integrated(asked: Asked, question: Question, numbers: Numbers) -> tuple[tupl
     raise refused[0]
 
 
-def _in_phase(
-    asked: Asked, question: Question, when: When, numbers: Numbers, place: int
-) -> tuple[tuple[float, ...], t.Node]:
+def _in_phase(asked: Asked, question: Question, when: When, numbers: Numbers, place: int) -> tuple[tuple[float, ...], t.Node]:
     """The same in one phase. Raises StatementError, where it ends before too."""
     world, study = asked.world(place), asked.study(place)
     is_time = question.quantity == "time"

@@ -108,7 +108,7 @@ def running(study: Study) -> Iterator[Demand]:
     for _, value in ways_kept(study):
         way = substitute(substitute(value, study.system.dependent), study.resting)
         moving = names_in(way) & study.system.scope.rates.keys()
-        if len(moving) == 1 and moving <= study.squares.keys():
+        if moving and ((len(moving) == 1 and moving <= study.squares.keys()) or not moving & study.system.scope.start.keys()):
             yield Demand(way)
 
 

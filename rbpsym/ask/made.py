@@ -69,7 +69,7 @@ def _magnitude(world: AskedPhase, force: str, when: str) -> t.Node:
 
 
 _DURING = r" (?:until|up to|from) .+"
-GATHERED = {"velocity of": "displacement of", "angular velocity of": "angle turned by", "power of": "work of"}
+GATHERED = {"velocity": "displacement of", "angular velocity": "angle turned by", "power": "work of", "force": "impulse of"}
 TURN = t.mul(t.TWO, t.Sym("pi"))
 MADE: tuple[tuple[str, Callable[..., t.Node]], ...] = (
     (r"damped period of (\w+)", lambda world, name: t.Div(TURN, _leaf(world, f"damped frequency of {name}"))),
@@ -79,7 +79,7 @@ MADE: tuple[tuple[str, Callable[..., t.Node]], ...] = (
     (r"(?:length of (?:simple pendulum with (?:equal|same) period|equivalent simple pendulum)|equivalent length)(?: of (\w+))?",
      _pendulum),
     (r"magnitude of impulse of (\w+)((?: when \w+ begins)?)", _magnitude),
-    (rf"(?:average|mean) (velocity of|angular velocity of|power of) ([\w-]+)({_DURING})",
+    (rf"(?:average|mean) ({'|'.join(GATHERED)}) (?:of )?([\w-]+)({_DURING})",
      lambda world, rate, name, end: _quotient(world, f"{GATHERED[rate]} {name}{end}", f"time{end}")),
     (r"twice (.+)", lambda world, text: _times(world, "2", text)),
     (r"([\w./^]+?) ?(?:\*|times) ?((?!.* [+-] ).+ .+)", _times),

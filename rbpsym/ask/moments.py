@@ -236,16 +236,19 @@ def _reaches(asked: Asked, when: When, place: int | None) -> Moment:
 
 def _in_rest(stable: bool) -> Callable[[Asked, When, int | None], Moment]:
     def find(asked: Asked, when: When, place: int | None) -> Moment:
-        study = asked.study(asked.meant(place))
-        found = [item for item in study.equilibria if bool(item.stable) is stable or (stable and item.stable is None)]
+        first, last = asked.meant(place), len(asked.names) if place is None else asked.meant(place) + 1
+        at = ((k, [e for e in asked.study(k).equilibria if bool(e.stable) is stable or (stable and e.stable is None)])
+              for k in range(first, last))  # fmt: skip
+        number, found = next((one for one in at if one[1]), (first, []))
+        study = asked.study(number)
         if not found and stable:
-            return _steady(study, asked.meant(place))
+            return _steady(study, number)
         if not found:
             raise StatementError("no unstable equilibrium is known")
         if len(found) > 1:
             raise StatementError(f"there are {len(found)} such equilibria", instead='write “where theta = …”.')
         still = dict.fromkeys(study.system.independent, NOTHING)
-        return Moment(asked.meant(place), ArrivalState(None, dict(found[0].at), still, found[0].valid), "rest")
+        return Moment(number, ArrivalState(None, dict(found[0].at), still, found[0].valid), "rest")
 
     return find
 

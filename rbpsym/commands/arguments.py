@@ -156,7 +156,7 @@ def found(name_or_file: str, kinds: tuple[str, ...] = ("course", "problem")) -> 
 def stated(path: Path, asked: tuple[str, ...] = ()) -> Problem:
     """The problem of a file; of one's own it is said which parameters nothing uses, also not what is `asked` beside it."""
     from rbpsym.statement.loader import load_problem
-    from rbpsym.statement.unused import unused
+    from rbpsym.statement.references import unused
 
     problem = load_problem(path)
     whole = replace(problem, questions={**problem.questions, **{text: {} for text in asked}})

@@ -18,7 +18,7 @@ from rbpsym.proof.grounds import Said
 from rbpsym.proof.step import BodyRef, Derivation
 from rbpsym.quantities import NUMBER, Quantity
 from rbpsym.statement.model import Body, Coordinate, Element, Phase, PlacedShape, Problem
-from rbpsym.statement.unused import unused
+from rbpsym.statement.references import unused
 
 REST = (None, t.ZERO)
 

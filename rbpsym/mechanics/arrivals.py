@@ -156,9 +156,7 @@ def _followed(study: Study, name: str, speed: str) -> Scalar:
     return symbol(other) if gained is None else study.system.scope.start[other] + gained
 
 
-def first_met(
-    study: Study, name: str, *gaps: Scalar, first: Iterable[Demand] = ()
-) -> tuple[Scalar, list[Demand], int] | None:
+def first_met(study: Study, name: str, *gaps: Scalar, first: Iterable[Demand] = ()) -> tuple[Scalar, list[Demand], int] | None:
     """The first place on the way from the start at which one of the values vanishes, at the first sample numbers at which
     the motion begins as stated (`first`: what else is asked of its start) and comes to one, where it is the first, and the
     sense in which it comes; None if there is none in closed form.

@@ -91,11 +91,9 @@ def is_conserved(system: System, dynamics: Dynamics, value: Scalar) -> bool | No
 
 def _power(system: System, dynamics: Dynamics) -> Scalar:
     """Σ q̇ (M q̈ - f), which vanishes on the motion."""
-    total = NOTHING
-    for speed, row, force in zip(system.speeds, dynamics.mass_matrix, dynamics.forcing, strict=True):
-        left = sum((m * symbol(a) for m, a in zip(row, system.accelerations, strict=True)), NOTHING)
-        total = total + symbol(speed) * (left - force)
-    return total
+    gained = (p * symbol(a) for p, a in zip(_momenta(system, dynamics), system.accelerations, strict=True))
+    done = (symbol(speed) * force for speed, force in zip(system.speeds, dynamics.forcing, strict=True))
+    return sum(gained, NOTHING) - sum(done, NOTHING)
 
 
 def effective_potential(system: System, dynamics: Dynamics) -> Scalar | None:

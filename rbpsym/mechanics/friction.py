@@ -14,9 +14,8 @@ from rbpsym.frozen import Frozen
 from rbpsym.mechanics.assemble import setting_of
 from rbpsym.mechanics.contacts import meeting, slip_sense, slip_speed
 from rbpsym.mechanics.geometry import Geometry, start_numbers, unsaid
-from rbpsym.mechanics.interactions import resisted_by
+from rbpsym.mechanics.interactions import Resisted, resisted_by
 from rbpsym.mechanics.placing import where_in
-from rbpsym.mechanics.resistance import Resisted
 from rbpsym.mechanics.system import System
 from rbpsym.statement.model import Element
 

@@ -26,7 +26,7 @@ from rbpsym.frozen import Frozen, replace
 from rbpsym.mechanics.demands import Demand, assuming
 from rbpsym.mechanics.dynamics import Dynamics
 from rbpsym.mechanics.elimination import Matrix, determinant, solve_rows
-from rbpsym.mechanics.energy import effective_potential, potentials
+from rbpsym.mechanics.energy import first_integral, potentials
 from rbpsym.mechanics.numbers import number, sample
 from rbpsym.mechanics.rest import Rest
 from rbpsym.mechanics.roots import At, numerator_factors
@@ -191,12 +191,7 @@ def gains_nothing(system: System, dynamics: Dynamics, assumptions: Assumptions) 
     without = {name for name, energy in potentials(system).items() if energy is None}
     others = [element for element in system.problem.interactions if element.name in without]
     losses = (e.kind in DAMPERS and sign(scalar(e["coefficient"]), assumptions).is_nonnegative for e in others)
-    if not system.has_clock and all(losses):
-        return True
-    if len(system.independent) > 1:
-        return not system.has_clock and effective_potential(system, dynamics) is not None
-    [force], [speed] = dynamics.forcing, system.speeds
-    return is_zero(force - substitute(force, {speed: -symbol(speed)}))
+    return (not system.has_clock and all(losses)) or first_integral(system, dynamics) is not None
 
 
 class Equilibrium(Frozen):

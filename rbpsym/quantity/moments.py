@@ -243,6 +243,8 @@ def _need(world: ProblemWorld, contact: str) -> FrictionNeed:
 def needed_friction(world: ProblemWorld, contact: str) -> Bound:
     """|f|/N of a contact that static friction holds: the coefficient that it needs."""
     need = _need(world, contact)
+    if is_zero(need.ratio):  # no step tells what is not needed
+        return world.expression(need.friction)
     return number(need.ratio * _sense(world, need.ratio) if need.needed is None else need.needed, "contact")
 
 

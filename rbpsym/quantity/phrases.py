@@ -93,10 +93,10 @@ def _speed_of(world: ProblemWorld, noun: str, name: str) -> Bound:
 
 def _of_point(order: int) -> Callable[..., Bound]:
     def find(world: ProblemWorld, name: str, origin: str | None = None) -> Bound:
-        value = Space(world.place(name) - world.place(origin))
+        value = Space(world.held(name) - world.held(origin))
         for _ in range(order):
             value = space_derivative(value, world.motion.scope)
-        return plane(value)
+        return plane(Space(value.plane.substitute(world.turned), value.z))
 
     return find
 

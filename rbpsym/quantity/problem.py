@@ -12,7 +12,7 @@ from rbpsym.errors import RbpsymError, StatementError
 from rbpsym.expr.glyphs import notation_for
 from rbpsym.expr.infix import read_infix
 from rbpsym.expr.tree import Sym
-from rbpsym.field import NOTHING, ORIGIN, Scalar, Space, Vector, kept, substitute
+from rbpsym.field import NOTHING, ORIGIN, QUARTER, Scalar, Space, Vector, kept, polar, substitute, symbol
 from rbpsym.field.evaluate import scalar
 from rbpsym.frozen import Frozen
 from rbpsym.mechanics.geometry import pair, position
@@ -25,6 +25,7 @@ from rbpsym.quantity.phrases import EXAMPLES, PHRASES
 from rbpsym.quantity.vectors import of_role
 from rbpsym.statement.checks import dimensions_with_unknowns
 from rbpsym.statement.model import PointRef, Problem
+from rbpsym.statement.paths import round_size
 from rbpsym.statement.source import did_you_mean
 from rbpsym.typeset.latex import to_latex
 
@@ -206,15 +207,24 @@ class ProblemWorld(Frozen):
             return list(self.study.system.bodies.values())
         return [self.body(part) for part in name.split(" and ")]
 
+    @kept
+    def turned(self) -> dict[str, Scalar]:
+        """By which angles bodies are turned at the moment that is looked at, in letters that do not change with it."""
+        return {f"{name}_now": state.pose.angle for name, state in self.study.system.bodies.items()}
+
     def place(self, name: str | None, of: str = "") -> Vector:
-        """The position of a point: O, a named point, body.point (or point alone, `of` a body), body.cm, or body(1/3): so far
-        on the way from its start to its end. Raises StatementError."""
+        """The position of a point: O, a named point, body.point (or point alone, `of` a body), body.cm, body(1/3): so far on the
+        way from its start to its end, or body.top of a round one: what is there on its rim now. Raises StatementError."""
+        return self.held(name, of).substitute(self.turned)
+
+    def held(self, name: str | None, of: str = "") -> Vector:
+        """The same as a point of its body, which moves with that while the letters of `turned` stay."""
         problem, system = self.study.problem, self.study.system
         if of in system.bodies and name is not None and name not in (*problem.points, *system.bodies) and "." not in name:
             name = name if name.endswith(")") else f"{of}.{name}"
         if name is not None and name.endswith(")"):
             body, _, part = name[:-1].partition("(")
-            first, last = (self.place(f"{body}.{end}") for end in ("start", "end"))
+            first, last = (self.held(f"{body}.{end}") for end in ("start", "end"))
             return first + (last - first) * scalar(read_infix(part, self.names))
         if name is None:
             return ORIGIN
@@ -226,7 +236,10 @@ class ProblemWorld(Frozen):
         if body in SYSTEM and body not in system.bodies and point == "cm":
             return self.centre(body)
         state = self.body(body)
-        known = [*problem.body(body).points, "cm"]
+        known, radius = [*problem.body(body).points, "cm"], round_size(problem.body(body))
+        if point in RIM and point not in known and radius is not None:
+            turned = state.pose.angle - symbol(f"{body}_now")
+            return self.held(f"{body}.center") + polar(scalar(radius), QUARTER * RIM.index(point) + turned)
         if point not in known:
             raise StatementError(f"“{body}” has no point “{point}”", instead=did_you_mean(point, known, "its points"))
         return position(
@@ -255,6 +268,9 @@ class ProblemWorld(Frozen):
             if name not in known:
                 raise StatementError(f"no force “{name}” acts on {on}", instead=did_you_mean(name, known, "forces"))
         return [force for force in here if force.name in wanted]
+
+
+RIM = ("right", "top", "left", "bottom")  # by quarters of a turn, whatever has been turned there
 
 
 def _held_point(problem: Problem, name: str) -> PointRef | None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from rbpsym.elements.constraints import CONSTRAINTS
 from rbpsym.errors import StatementError
 from rbpsym.expr.tree import names
-from rbpsym.field import UNITY, Scalar, Space, Vector, function, is_zero, space_derivative
+from rbpsym.field import UNITY, Scalar, Vector, function, is_zero
 from rbpsym.quantities import LENGTH
 from rbpsym.quantity.bound import Bound, Phrase, number, plane
 from rbpsym.statement.model import Element
@@ -49,23 +49,23 @@ def _length(way: Vector) -> Scalar:
     return function("sqrt", square)
 
 
-def _point_of(world: ProblemWorld, phrase: str) -> Vector:
+def _point_of(world: ProblemWorld, phrase: str) -> str:
     """The point that a phrase is about: “force P on rod” about the rod's centre of mass."""
     named = [name if "." in name or "(" in name else f"{name}.cm" for name in POINT.findall(phrase)]
     if not named:
         raise StatementError(f"“{phrase}” names no point", instead="write “acceleration of rod.end”, “force P on rod”.")
-    return world.place(named[-1])
+    return named[-1]
 
 
 def polar(world: ProblemWorld, part: str, phrase: str, about: str | None) -> Bound:
     """Radial component, away from a point, or the tangential one, counter-clockwise about it."""
-    way = _point_of(world, phrase) - world.place(about)
+    way = world.place(_point_of(world, phrase)) - world.place(about)
     return number(_vector(world, phrase).dot(way if part == "radial" else way.turned()) / _length(way))
 
 
 def of_path(world: ProblemWorld, part: str, phrase: str) -> Bound:
     """Component along the velocity of the point that a phrase is about, or to the left of it."""
-    velocity = space_derivative(Space(_point_of(world, phrase)), world.motion.scope).plane
+    velocity = world.bound(f"velocity of {_point_of(world, phrase)}").arrow.plane
     return number(_vector(world, phrase).dot(velocity if part == "along" else velocity.turned()) / _length(velocity))
 
 

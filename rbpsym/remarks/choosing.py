@@ -29,7 +29,7 @@ from rbpsym.present.forms import present
 from rbpsym.proof.assertions import told
 from rbpsym.proof.step import BodyRef, Certificate, Derivation, Step
 from rbpsym.quantities import LENGTH, MASS, NUMBER, Dimension, Quantity
-from rbpsym.statement.unused import unused
+from rbpsym.statement.references import unused
 
 STRENGTHS: Mapping[str, str] = {
     "spring": "stiffness",

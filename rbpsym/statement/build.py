@@ -37,9 +37,7 @@ Stated = dict[str, object]
 def problem(name: str, **sections: object) -> Problem:
     """The problem called `name`; `sections` are those of a file (see `assemble.SECTIONS`)."""
     if not isinstance(name, str):
-        raise StatementError(
-            f"the name of a problem is a text, not {kind_of(name)}", instead='write problem("ladder", ...)'
-        )
+        raise StatementError(f"the name of a problem is a text, not {kind_of(name)}", instead='write problem("ladder", ...)')
     table = SourceTable(Source(name), (), {"name": name, **sections})
     check_characters(table)
     return assemble(table, name)
@@ -72,11 +70,7 @@ def _maker(kind: ElementKind, key: str, word: str) -> Callable[..., Stated]:
 
     make.__name__ = make.__qualname__ = word.replace("-", "_")
     make.__doc__ = "\n".join(
-        [
-            f"{kind.meaning[0].upper()}{kind.meaning[1:]}.",
-            "",
-            *(f"{field.name}: {field.meaning}" for field in kind.fields),
-        ]
+        [f"{kind.meaning[0].upper()}{kind.meaning[1:]}.", "", *(f"{field.name}: {field.meaning}" for field in kind.fields)]
     )
     vars(make)["__signature__"] = _signature(kind)
     return make

@@ -130,9 +130,7 @@ def _ranges(problem: Problem, table: SourceTable) -> None:
 
 def _check_range(coordinate: Coordinate, section: SourceTable, given: Declared) -> None:
     if surely_above(coordinate.lower, coordinate.upper, given, or_equal=True):
-        raise section.value_error(
-            "range", f"the range of “{coordinate.name}” is empty", "write the smaller bound first."
-        )
+        raise section.value_error("range", f"the range of “{coordinate.name}” is empty", "write the smaller bound first.")
 
 
 def _check_start(coordinate: Coordinate, section: SourceTable, given: Declared) -> None:
@@ -258,12 +256,4 @@ def _gravity_once(problem: Problem, table: SourceTable) -> None:
             seen[key] = element.name
 
 
-_CHECKS = (
-    _something,
-    check_unknowns,
-    _ranges,
-    _coordinates_used,
-    _known_names,
-    _same_contact,
-    _gravity_once,
-)
+_CHECKS = (_something, check_unknowns, _ranges, _coordinates_used, _known_names, _same_contact, _gravity_once)

@@ -194,11 +194,7 @@ def check_translated_names(problem: Problem, table: SourceTable) -> None:
     """[names] speaks of what exists; in a language no two bodies or forces are called alike."""
     section = table.table("names", "names")
     in_formulas = (*problem.body_names, *(e.name for e in problem.elements))
-    elsewhere = (
-        *problem.points,
-        *(p for body in problem.bodies for p in body.points),
-        *(p.name for p in problem.phases),
-    )
+    elsewhere = (*problem.points, *(p for body in problem.bodies for p in body.points), *(p.name for p in problem.phases))
     for language in section.names():
         own = section.table(language, f"names.{language}")
         for name in own.names():

@@ -42,9 +42,7 @@ PHASE_KEYS = {
 }
 
 
-def read_phases(
-    table: SourceTable, problem: Problem, around: Surroundings, led: tuple[Element, ...] = ()
-) -> tuple[Phase, ...]:
+def read_phases(table: SourceTable, problem: Problem, around: Surroundings, led: tuple[Element, ...] = ()) -> tuple[Phase, ...]:
     """The phases after the first, each with the problem that then holds (its start is left to the mechanics); what leads
     coordinates with given accelerations goes on."""
     current = {section: dict(table.table(section, section).data) for section in KINDS}
@@ -59,9 +57,7 @@ def read_phases(
         value = _value(row, name, event, subject, around)
         current = _changed(row, name, current)
         interactions, constraints = read_both(SourceTable(row.source, row.path, current), around)
-        impulses = tuple(
-            _checked(e, row, names) for e in read_elements("impulses", row, IMPULSES, around)
-        )
+        impulses = tuple(_checked(e, row, names) for e in read_elements("impulses", row, IMPULSES, around))
         then = replace(problem, interactions=interactions, constraints=(*led, *constraints))
         found.append(Phase(name, event, subject, impulses, then, value))
         if event == "begins":

@@ -19,9 +19,7 @@ from rbpsym.statement.source import SIGNS, SourceItem, SourceTable, did_you_mean
 
 _PARAMETER_KEYS = ("dimension", "meaning", "sign", "range", "glyph")
 _COORDINATE_KEYS = ("meaning", "dimension", "start", "speed", "acceleration", "range", "glyph")
-_EXAMPLE = (
-    'write it as "length: radius of the disk", "mass, nonnegative: mass of the rod" or "length > a: outer radius"'
-)
+_EXAMPLE = ('write it as "length: radius of the disk", "mass, nonnegative: mass of the rod" or "length > a: outer radius"')
 _RIGHT_ANGLE = Div(Sym("pi"), Num(2))
 
 
@@ -60,9 +58,7 @@ def _check_bounds_of(quantity: Quantity, section: SourceTable, given: Declared) 
     floor = ZERO if quantity.sign in ("positive", "nonnegative") else None
     if any(surely_above(low, quantity.upper, given, or_equal=True) for low in (quantity.lower, floor)):
         what = f"no number between the bounds of “{quantity.name}” is {quantity.sign}"
-        raise section.value_error(
-            quantity.name, what, "change a bound, or the sign: it is positive unless said otherwise."
-        )
+        raise section.value_error(quantity.name, what, "change a bound, or the sign: it is positive unless said otherwise.")
 
 
 def _reached(name: str, above: Mapping[str, set[str]]) -> set[str]:

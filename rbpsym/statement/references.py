@@ -5,14 +5,15 @@ A straight line is read from its equation: “y = x*tan(beta)” is tan(beta) x 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
 from math import prod
 
 from rbpsym.errors import StatementError
 from rbpsym.expr import tree
-from rbpsym.expr.tree import ONE, ZERO, Node, Sym, add, div, mul, neg
+from rbpsym.expr.tree import ONE, ZERO, Node, Sym, add, div, mul, neg, walk
 from rbpsym.quantities import LENGTH
-from rbpsym.statement.model import Body, Curve, Line, PointRef
+from rbpsym.statement.model import Body, Curve, Line, PointRef, Problem
 from rbpsym.statement.scope import Scope, read_pair, read_text, text_of
 from rbpsym.statement.source import SourceItem, SourceTable, did_you_mean, kind_of
 
@@ -203,9 +204,7 @@ def _point_of_body(item: SourceItem, scope: Scope, bodies: Mapping[str, Body], w
     if not dot:
         raise _no_point(item, scope, bodies, what)
     if body not in bodies:
-        raise item.error_inside(
-            f"{what}: there is no body “{body}”", did_you_mean(body, bodies, "bodies"), 1, len(body)
-        )
+        raise item.error_inside(f"{what}: there is no body “{body}”", did_you_mean(body, bodies, "bodies"), 1, len(body))
     known = points_of(bodies[body])
     if point not in known:
         raise item.error_inside(
@@ -238,3 +237,31 @@ def read_body(item: SourceItem, bodies: Mapping[str, Body], what: str, others: t
         found = f"“{item.value}”" if isinstance(item.value, str) else kind_of(item.value)
         raise item.error(f"{what}: {found} is not a body", did_you_mean(str(item.value), known, "bodies"))
     return str(item.value)
+
+
+SAID = ("meanings", "names", "notation", "example", "text", "file")  # what is told of a name does not use it
+
+
+def unused(problem: Problem) -> list[str]:
+    """The parameters that no formula, question or claim of the statement holds, in the order of their declaration.
+
+    >>> from rbpsym.statement.loader import load_problem
+    >>> unused(load_problem("sliding-ladder"))
+    []
+    """
+    used = set(_names([getattr(problem, part.name) for part in fields(problem) if part.name not in SAID]))
+    return [quantity.name for quantity in problem.parameters if quantity.name not in used]
+
+
+def _names(part: object) -> Iterator[str]:
+    if isinstance(part, Node):
+        yield from (node.name for node in walk(part) if isinstance(node, Sym))
+    elif isinstance(part, str):
+        yield from re.findall(r"\w+", part)
+    elif isinstance(part, Mapping):
+        yield from (name for pair in part.items() for item in pair for name in _names(item))
+    elif isinstance(part, list | tuple):
+        yield from (name for item in part for name in _names(item))
+    elif is_dataclass(part):
+        kept = (one.name for one in fields(part) if one.name not in ("name", "meaning"))
+        yield from (name for key in kept for name in _names(getattr(part, key)))

@@ -141,9 +141,7 @@ def _pieces(sizes: Mapping[str, Node]) -> list[Mapping[str, Node]]:
     """The sizes of each piece of which a shape consists: of a polygon, of each edge from (x_p, y_p) to (x_q, y_q)."""
     count = sum(name.startswith("x_") for name in sizes)
     ends = [(k, k % count + 1) for k in range(1, count + 1)]
-    sides = [
-        {f"{axis}_{end}": sizes[f"{axis}_{k}"] for axis in "xy" for end, k in zip("pq", pair, strict=True)} for pair in ends
-    ]
+    sides = [{f"{axis}_{end}": sizes[f"{axis}_{k}"] for axis in "xy" for end, k in zip("pq", pair, strict=True)} for pair in ends]
     return [*sides] or [sizes]
 
 

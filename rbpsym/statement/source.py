@@ -139,9 +139,7 @@ class SourceTable(Frozen):
         """The string under `key`."""
         value = self.data.get(key, default)
         if not isinstance(value, str):
-            raise self.value_error(
-                key, f"“{key}” must be a text in quotes, not {kind_of(value)}", f'write {key} = "..."'
-            )
+            raise self.value_error(key, f"“{key}” must be a text in quotes, not {kind_of(value)}", f'write {key} = "..."')
         return value
 
     def flag(self, key: str, default: bool = False) -> bool:
@@ -186,9 +184,7 @@ _KINDS = {
 
 def kind_of(value: object) -> str:
     """What a value of a statement is, in words."""
-    return (
-        "a table" if isinstance(value, Mapping) else _KINDS.get(type(value), f"a value of type {type(value).__name__}")
-    )
+    return ("a table" if isinstance(value, Mapping) else _KINDS.get(type(value), f"a value of type {type(value).__name__}"))
 
 
 def written(value: object) -> str | None:

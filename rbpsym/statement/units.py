@@ -159,9 +159,7 @@ def _single(name: str) -> UnitOf | None:
 def _signed(name: str) -> UnitOf | None:
     """One unit in its own signs: km, µs, rad."""
     known = _METRIC.get(name) or _OTHER.get(name)
-    stems = (
-        (factor, _METRIC.get(name[len(prefix) :])) for prefix, factor in _PREFIXES.items() if name.startswith(prefix)
-    )
+    stems = ((factor, _METRIC.get(name[len(prefix) :])) for prefix, factor in _PREFIXES.items() if name.startswith(prefix))
     return known or next((UnitOf(stem.factor * factor, stem.powers) for factor, stem in stems if stem), None)
 
 

@@ -37,6 +37,8 @@ ANSWERS = (
     ("collar-beside-hook", "speed of y where y = 3*b/4", "sqrt(3*g*b/2 - k*b**2/(16*m))"),
     ("collar-beside-hook", "k for which y comes to rest at y = 3*b/4", "24*m*g/b"),
     ("collar-beside-hook", "k for which y where y comes to rest = 3*b/4", "24*m*g/b"),
+    ("wheel-on-spring", "x component of velocity of disk.top as a function of the state", "2*x_dot"),
+    ("wheel-on-spring", "y component of acceleration of disk.bottom as a function of the state", "x_dot**2/R"),
     ("rod-on-wire", "length of the simple pendulum with equal period", "L/6"),
 )  # fmt: skip
 
@@ -58,3 +60,9 @@ def test_a_bound_has_the_sign_of_what_it_bounds() -> None:
     answer = answered(asked("pulled-up-slope"), "smallest P for which it does not slip")
     assert answer.verdict.is_proved
     assert "sin(beta) - mu*cos(beta) > 0" in map(to_machine, answer.valid)
+
+
+def test_on_which_side_of_its_hook_a_spring_is_is_a_condition_where_no_start_says_it() -> None:
+    answer = answered(asked("block-on-unsaid-spring"), "acceleration of x")
+    assert answer.verdict.is_proved
+    assert "x > 0" in map(to_machine, answer.valid)

@@ -6,7 +6,7 @@ from rbpsym import derive, notes, writer
 from rbpsym.statement import load_text
 from rbpsym.statement.library import problem_files
 from rbpsym.statement.loader import load_problem
-from rbpsym.statement.unused import unused
+from rbpsym.statement.references import unused
 from tests.cli.test_commands import run
 from tests.golden.semantic import examples
 

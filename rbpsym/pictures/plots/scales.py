@@ -15,8 +15,8 @@ from rbpsym.mechanics.pushing import begun_numbers
 from rbpsym.mechanics.study import Study
 from rbpsym.quantities import DIMENSIONS, LENGTH, MASS, NUMBER, Dimension, Quantity
 from rbpsym.statement.model import Problem
+from rbpsym.statement.references import unused
 from rbpsym.statement.units import unit_of, unit_text
-from rbpsym.statement.unused import unused
 
 CLOCKS = tuple(
     DIMENSIONS[name] for name in ("acceleration", "stiffness", "torsion stiffness", "speed", "angular speed", "force")
