@@ -28,8 +28,7 @@ from rbpsym.pictures.plots.axes import axis, round_step, written
 from rbpsym.pictures.plots.following import REASONS, giving_way, motion
 from rbpsym.pictures.plots.panel import scene
 from rbpsym.pictures.plots.scales import scales, told_numbers
-from rbpsym.pictures.plots.subjects import changes, energies
-from rbpsym.pictures.plots.subjects import energies, forces, positions, speeds, works
+from rbpsym.pictures.plots.subjects import changes, energies, forces, positions, speeds, works
 from rbpsym.quantities import DIMENSIONS, ENERGY, FORCE, TIME
 from rbpsym.statement.loader import load_text
 from tests.ask.test_unseen import HERE
