@@ -60,41 +60,21 @@ def _condition(draft: Draft, ending: Ending, value: Scalar | None) -> None:
     study, element = draft.study, ending.element(draft)
     letter = draft.define(draft.free("u"), value)
     on, by = toucher(element), curve_body(element)
-    draft.add(
-        "slip.speed",
-        "slip",
-        t.equation(letter, draft.show(value)),
-        "phases.slip",
-        letter=letter,
-        body=BodyRef(on or by or ""),
-        data={"element": element, "value": value},
-    )
+    draft.add("slip.speed", "slip", t.equation(letter, draft.show(value)), "phases.slip", letter=letter,
+              body=BodyRef(on or by or ""), data={"element": element, "value": value})  # fmt: skip
     rate = short(study.on_motion(time_derivative(value, study.system.scope)))
-    draft.add(
-        "slip.rate",
-        "balance",
-        t.equation(t.Deriv(letter), draft.show(rate, factor=True)),
-        "phases.slip_rate",
-        premises=["slip.speed"],
-        letter=letter,
-    )
+    draft.add("slip.rate", "balance", t.equation(t.Deriv(letter), draft.show(rate, factor=True)), "phases.slip_rate",
+              premises=["slip.speed"], letter=letter)  # fmt: skip
 
 
 def _moment(draft: Draft, ending: Ending, time: Scalar) -> None:
     """t_1."""
     letter, event = draft.define(draft.free(f"t_{ending.number}"), time), begun(ending.phase)
-    draft.add(
-        "moment",
-        "event_time",
-        t.equation(letter, draft.show(time, factor=True, met=ending.state.valid or None)),
-        f"phases.moment.{EVENTS[event].moment if event in EVENTS else event}",
-        premises=draft.those("slip.speed", "slip.rate") or [f"motion.{name}" for name in draft.study.system.independent],
-        letter=letter,
-        coordinate=t.Sym(ending.phase.subject),
-        is_result=True,
-        obligations=draft.asked(ending.state.valid),
-        data={"ending": ending},
-    )
+    draft.add("moment", "event_time", t.equation(letter, draft.show(time, factor=True, met=ending.state.valid or None)),
+              f"phases.moment.{EVENTS[event].moment if event in EVENTS else event}",
+              premises=draft.those("slip.speed", "slip.rate") or [f"motion.{name}" for name in draft.study.system.independent],
+              letter=letter, coordinate=t.Sym(ending.phase.subject), is_result=True, obligations=draft.asked(ending.state.valid),
+              data={"ending": ending})  # fmt: skip
 
 
 # --- where
@@ -105,19 +85,11 @@ def _place(draft: Draft, ending: Ending) -> None:
     [name] = _mover(draft, ending)
     value = ending.state.places[name]
     letter = draft.define(place_name(draft, name, ending.number), value)
-    draft.add(
-        "place",
-        "event_place",
-        t.equation(letter, draft.show(value)),
-        f"phases.place.{EVENTS[ending.phase.event].place}",
-        premises=draft.those(f"along.{ending.phase.subject}", *([f"square.{name}"] if ending.phase.event == "rests" else [])),
-        letter=letter,
-        force=t.Sym(ending.phase.subject),
-        coordinate=t.Sym(name),
-        is_result=True,
-        obligations=draft.asked(ending.state.valid),
-        data={"ending": ending, "name": name, "value": value},
-    )
+    led = [f"along.{ending.phase.subject}", *([f"square.{name}"] if ending.phase.event == "rests" else [])]
+    draft.add("place", "event_place", t.equation(letter, draft.show(value)), f"phases.place.{EVENTS[ending.phase.event].place}",
+              premises=draft.those(*led),
+              letter=letter, force=t.Sym(ending.phase.subject), coordinate=t.Sym(name), is_result=True,
+              obligations=draft.asked(ending.state.valid), data={"ending": ending, "name": name, "value": value})  # fmt: skip
 
 
 def begun(phase: Phase) -> str:
@@ -153,18 +125,11 @@ def _state(draft: Draft, ending: Ending, what: str, values: Mapping[str, Scalar]
             letters[letter] = name
     squared = letters.values() if what == "speed" and ending.state.time is None else ()
     if rows:
-        draft.add(
-            f"state.{what}",
-            "end_state",
-            t.system(rows),
-            f"phases.state.{'kept' if given else what}",
-            premises=[step.id for step in given] or draft.those("moment", "place", *(f"square.{name}" for name in squared)),
-            sources=[StepRef(step.id) for step in given],
-            free=PhraseRef("phases.free", {"coefficient": _coefficient(draft, ending), "count": len(rows)}),
-            count=len(rows),
-            is_result=True,
-            data={"ending": ending, "what": what, "letters": letters},
-        )
+        draft.add(f"state.{what}", "end_state", t.system(rows), f"phases.state.{'kept' if given else what}",
+                  premises=[step.id for step in given] or draft.those("moment", "place", *(f"square.{name}" for name in squared)),
+                  sources=[StepRef(step.id) for step in given],
+                  free=PhraseRef("phases.free", {"coefficient": _coefficient(draft, ending), "count": len(rows)}),
+                  count=len(rows), is_result=True, data={"ending": ending, "what": what, "letters": letters})  # fmt: skip
 
 
 def _coefficient(draft: Draft, ending: Ending) -> t.Node:
@@ -182,15 +147,8 @@ def _energy(draft: Draft, ending: Ending) -> None:
     lost = short(before - after)
     letters = [draft.define(draft.free(f"K_{k}"), v) for k, v in ((ending.number - 1, before), (ending.number, after))]
     states = ((study.system, start.places, start.speeds), (study.system, ending.state.places, ending.state.speeds))
-    draft.add(
-        "energy.taken",
-        "energy_jump",
-        t.equation(t.add(letters[0], t.neg(letters[1])), draft.show(lost, factor=True)),
-        "phases.taken",
-        premises=draft.those("state.speed"),
-        is_result=True,
-        data={"states": states},
-    )
+    draft.add("energy.taken", "energy_jump", t.equation(t.add(letters[0], t.neg(letters[1])), draft.show(lost, factor=True)),
+              "phases.taken", premises=draft.those("state.speed"), is_result=True, data={"states": states})  # fmt: skip
 
 
 def kinetic(draft: Draft, places: Mapping[str, Scalar], speeds: Mapping[str, Scalar]) -> Scalar:
@@ -243,18 +201,11 @@ def kept_until(draft: Draft, ending: Ending, slip: Scalar) -> list[Step]:
 def _kept_step(draft: Draft, ending: Ending, kept: KeptMomentum, slip: Scalar) -> Step:
     letters = draft.study.letters
     point = t.Sym(kept.label or letters.free("C", taken=letters.things))
-    return draft.add(
-        f"kept.{kept.label or 'there'}.{'.'.join(kept.bodies)}",
-        "kept_until",
-        t.system([_unchanged(draft, ending, kept.value), t.equation(draft.show(_then(draft, ending, slip)), t.ZERO)]),
-        f"phases.until.{'named' if kept.label else 'there'}",
-        bodies=bodies_named(kept.bodies),
-        point=point,
-        place=draft.show_vector(kept.where),
-        silent=_those("phases.quiet", kept.silent, point),
-        cancel=_those("phases.cancel", kept.cancel, point),
-        data={"kept": kept, "ending": ending},
-    )
+    rows = [_unchanged(draft, ending, kept.value), t.equation(draft.show(_then(draft, ending, slip)), t.ZERO)]
+    return draft.add(f"kept.{kept.label or 'there'}.{'.'.join(kept.bodies)}", "kept_until", t.system(rows),
+                     f"phases.until.{'named' if kept.label else 'there'}", bodies=bodies_named(kept.bodies), point=point,
+                     place=draft.show_vector(kept.where), silent=_those("phases.quiet", kept.silent, point),
+                     cancel=_those("phases.cancel", kept.cancel, point), data={"kept": kept, "ending": ending})  # fmt: skip
 
 
 def _those(key: str, forces: tuple[Force, ...], point: t.Node) -> PhraseRef:

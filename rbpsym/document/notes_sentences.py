@@ -150,8 +150,8 @@ def sentences_of(element: Element, pose: DrawnPose, said: Words) -> Iterator[Inl
 def _friction_of(bounce: Element, said: Words) -> Iterator[Inlines]:
     """Whether what bounces slips as it parts, and how rough it is."""
     if is_holding(bounce):
-        turned = bounce["tangential"] != t.ZERO
-        yield said.say("statement.bounce_turned" if turned else "statement.bounce_held", tangential=bounce["tangential"])
+        manner = {t.ZERO: "held", t.ONE: "whole"}.get(bounce["tangential"], "turned")
+        yield said.say(f"statement.bounce_{manner}", tangential=bounce["tangential"])
     if bounce["coefficient"] is not None:
         yield said.say("statement.bounce_rough", coefficient=bounce["coefficient"])
     elif not is_holding(bounce):

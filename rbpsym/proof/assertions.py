@@ -129,6 +129,7 @@ PAGES: Mapping[str, Entry] = {
     "statement.rest_there": (w.stays_at_rest, "statement.begins"),
     **{f"kinematics.{kind}_many": (_all(f"kinematics.{kind}"), "") for kind in MANY},
     "instant.intro": (lambda said: said.study.at_start, ""),
+    "released": (lambda said: not any(said.system.scope.start.get(speed) for speed in said.system.speeds), ""),
     "oscillations.intro": (w.is_not_carried, "oscillations.carried"),
     "oscillations.brief": (w.is_not_carried, "oscillations.carried"),
     "newton_euler.rest.intro": (w.is_still, ""),

@@ -27,8 +27,8 @@ from rbpsym.pictures.figures.scene import placed
 from rbpsym.pictures.plots.axes import axis, round_step, written
 from rbpsym.pictures.plots.following import REASONS, giving_way, motion
 from rbpsym.pictures.plots.panel import scene
-from rbpsym.pictures.plots.scales import scales
-from rbpsym.pictures.plots.subjects import energies, forces, positions, speeds, works
+from rbpsym.pictures.plots.scales import scales, told_numbers
+from rbpsym.pictures.plots.subjects import changes, energies, forces, positions, speeds, works
 from rbpsym.quantities import DIMENSIONS, ENERGY, FORCE, TIME
 from rbpsym.statement.loader import load_text
 from tests.ask.test_unseen import HERE
@@ -262,3 +262,10 @@ def test_a_motion_is_drawn_as_far_as_it_is_the_stated_one(name: str) -> None:
     for leg in found.whole.legs:
         pushing = [leg.values(value)[:1] for values in giving_way(leg.study).values() for value in values]
         assert all(min(value) > -1e-9 for value in (*map(leg.values, slips(leg.study.system).values()), *pushing))
+
+
+def test_what_begins_at_once_or_stays_is_not_drawn_and_no_idle_number_told() -> None:
+    assert not changes(motion(unsimulated("center-of-percussion"))) and changes(motion(unsimulated("ball-slipping-to-rolling")))
+    kater, [panel] = unsimulated("kater-pendulum").study, energies(motion(unsimulated("spool-pulled-at-angle")))
+    assert "h_2" not in {name for node in told_numbers(kater.problem, scales(kater)) for name in t.names(node)}
+    assert {curve.name for curve in panel.curves}.isdisjoint({t.Sym("U_W"), t.Delta(t.Sym("U_W"))})

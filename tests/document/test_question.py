@@ -4,6 +4,7 @@ import pytest
 
 from rbpsym.ask.asking import own_answers
 from rbpsym.ask.found import Answer
+from rbpsym.commands.written import KeptDerivations
 from rbpsym.derive import derive
 from rbpsym.document.model import Display, Math, Paragraph, Ref, Text, numbered, parts
 from rbpsym.document.notes import DETAILS, notes
@@ -178,3 +179,26 @@ def test_an_answer_that_follows_from_steps_says_from_which(name):
 def test_articles_of_a_question_are_not_doubled(asked: str) -> None:
     told = question(asked, Words("en", load_problem(find_problem("rod-pendulum"))))
     assert text(told).startswith("the speed of the rod where")
+
+
+@pytest.mark.parametrize(("name", "letter"), [("kater-pendulum", "T"), ("disk-off-center", "T"), ("breaking-chimney", "tau")])
+def test_where_a_quantity_is_extreme_its_slope_vanishes(name, letter):
+    *_, found = own_answers(unsimulated(name).study)
+    [slope] = [step for step in found.steps if step.phrase == "ask.slope"]
+    assert slope.certificate.verdict.is_proved and slope.statement.items[0] == t.Deriv(t.Sym(letter), found.symbol)
+    assert slope.id in found.steps[-1].cites and not isinstance(slope.statement.items[-1], t.Num)
+
+
+def test_what_is_asked_of_the_release_is_told_of_the_release():
+    path = find_problem("rod-on-two-strings")
+    alone, whole = (KeptDerivations(False, is_whole).derivation(path) for is_whole in (False, True))
+    assert alone.study.at_start and not whole.study.at_start
+    assert [step.statement.items[-1] for step in alone.steps if step.id == "instant.force.T"] == [
+        answer.nodes[0] for answer in own_answers(whole.study)
+    ]
+
+
+@pytest.mark.parametrize("name", ["falling-stick", "cart-and-rod"])
+def test_conserved_momenta_are_put_into_the_energy(name):
+    found = unsimulated(name)
+    assert {"energy", "speed_at.x"} <= {*found.step("square.theta").reasons}

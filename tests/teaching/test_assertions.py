@@ -8,11 +8,15 @@ from inspect import getsource
 
 import pytest
 
+from rbpsym.expr import tree as t
 from rbpsym.languages import phrases
+from rbpsym.proof.step import QuestionRef
+from rbpsym.quantities import NUMBER
 from rbpsym.teaching.distractors import pool
 from rbpsym.teaching.misconceptions.model import Site
 from rbpsym.teaching.misconceptions.registry import MISCONCEPTIONS
 from rbpsym.teaching.misconceptions.told import ASKED_OF, TRUE_OF, is_asked_of
+from rbpsym.teaching.target import Target
 from rbpsym.teaching.targets import targets
 from tests.library.derived import unsimulated
 
@@ -77,9 +81,15 @@ SAYS_WHAT_WAS_DONE = frozenset(WHAT_WAS_DONE.split())
 
 def test_what_is_said_of_a_sum_or_a_way_is_not_said_of_one_body_or_the_start() -> None:
     assert set(ASKED_OF) <= set(MISCONCEPTIONS)
-    told = [is_asked_of("one-body-not-in-the-sum", id) for id in ("momentum.total", "momentum.drum")]
-    told += [is_asked_of("start-speed-forgotten", id) for id in ("speed.phi", "start.phi_dot")]
-    assert told == [True, False, True, False] and is_asked_of("weight-sign", "start.phi_dot")
+
+    def asked(name: str, id: str, **slots: object) -> bool:
+        return is_asked_of(name, Target(id, t.ZERO, lambda study: None, NUMBER, slots=slots))
+
+    told = [asked("one-body-not-in-the-sum", id) for id in ("momentum.total", "momentum.drum")]
+    told += [asked("start-speed-forgotten", id) for id in ("speed.phi", "start.phi_dot")]
+    assert told == [True, False, True, False] and asked("weight-sign", "start.phi_dot")
+    blows = ("speed of theta when embedded begins", "smallest v_0 for which theta reaches pi", "energy lost when embedded begins")
+    assert [asked("momentum-kept-at-hinge", "question.1", question=QuestionRef(text)) for text in blows] == [True, False, False]
 
 
 def test_there_is_no_third_kind() -> None:

@@ -52,6 +52,12 @@ def test_what_is_left_out_is_told(name: str, exported: dict[str, Exported]) -> N
     assert any("carried forward" in sentence and "item 3" in sentence for sentence in told)
 
 
+@pytest.mark.parametrize("name", FORMATS)
+def test_nothing_is_asked_without_a_field(name: str, exported: dict[str, Exported]) -> None:
+    files = (file if isinstance(file, str) else file.decode("utf-8", "ignore") for file in exported[name].files.values())
+    assert not any("letter to each force" in file for file in files)
+
+
 # --- Moodle
 
 

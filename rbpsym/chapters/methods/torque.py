@@ -39,14 +39,8 @@ def _projected(draft: Draft) -> None:
     dynamics, system = draft.study.dynamics, draft.study.system
     for name, row, force in zip(system.independent, dynamics.mass_matrix, dynamics.forcing, strict=True):
         left = sum((m * symbol(a) for m, a in zip(row, system.accelerations, strict=True)), NOTHING)
-        draft.add(
-            f"motion.{name}",
-            "balance",
-            t.equation(draft.show(left), draft.show(force)),
-            "torque.projected",
-            coordinate=t.Sym(name),
-            is_result=True,
-        )
+        draft.add(f"motion.{name}", "balance", t.equation(draft.show(left), draft.show(force)), "torque.projected",
+                  coordinate=t.Sym(name), is_result=True)  # fmt: skip
 
 
 def _balances(draft: Draft, found: Plan) -> list[Step]:
@@ -100,19 +94,11 @@ def _net_torque(draft: Draft, balance: Balance) -> Step:
     items = [t.Vec(name), along_k(shown)] + ([along_k(together)] if shorter and len(parts) > 1 else [])
     left = names_in(balance.right)  # a normal force may have no torque, and yet stay in that of its friction
     silent = [f for f in forces if f.unknowns and not left & set(f.unknowns)]
-    return draft.add(
-        f"torque.{balance.kind}.{'.'.join(balance.bodies)}",
-        "torque",
-        t.equation(*items),
-        f"torque.net.{_manner(draft, balance)}",
-        premises=[f"force.{f.name}.{f.on}" for f in forces],
-        point=_point(draft, balance),
-        bodies=bodies_named(balance.bodies),
-        silent=silent_forces(silent),
-        place=draft.show_vector(balance.where),
-        variant="some" if balance.right else "zero",
-        data={"forces": tuple(forces), "origin": balance.where, "value": balance.right},
-    )
+    return draft.add(f"torque.{balance.kind}.{'.'.join(balance.bodies)}", "torque", t.equation(*items),
+                     f"torque.net.{_manner(draft, balance)}", premises=[f"force.{f.name}.{f.on}" for f in forces],
+                     point=_point(draft, balance), bodies=bodies_named(balance.bodies), silent=silent_forces(silent),
+                     place=draft.show_vector(balance.where), variant="some" if balance.right else "zero",
+                     data={"forces": tuple(forces), "origin": balance.where, "value": balance.right})  # fmt: skip
 
 
 def _manner(draft: Draft, balance: Balance) -> str:
@@ -167,16 +153,10 @@ def _push(draft: Draft, balance: Balance) -> Step:
     way = balance.label.split(" ")[0]
     manner = "rest" if is_zero(balance.left) else "push" if balance.right else "free"
     whole = len(balance.bodies) > 1
-    return draft.add(
-        f"push.{balance.label}.{'.'.join(balance.bodies)}",
-        "balance",
-        t.equation(draft.show_brief(balance.left), draft.show(balance.right, factor=not whole)),
-        f"torque.{manner}.{way}",
-        bodies=bodies_named(balance.bodies),
-        axis=axis,
-        variant="whole" if whole else "one",
-        data={"along": balance.where, "bodies": balance.bodies},
-    )
+    return draft.add(f"push.{balance.label}.{'.'.join(balance.bodies)}", "balance",
+                     t.equation(draft.show_brief(balance.left), draft.show(balance.right, factor=not whole)),
+                     f"torque.{manner}.{way}", bodies=bodies_named(balance.bodies), axis=axis,
+                     variant="whole" if whole else "one", data={"along": balance.where, "bodies": balance.bodies})  # fmt: skip
 
 
 def _kept_momentum(draft: Draft, balance: Balance, pushed: Step) -> None:
@@ -184,15 +164,8 @@ def _kept_momentum(draft: Draft, balance: Balance, pushed: Step) -> None:
     states = (draft.study.system.bodies[name] for name in balance.bodies)
     value = short(sum((state.mass * state.velocity.dot(balance.where) for state in states), NOTHING))
     letter = draft.define(draft.free(f"P_{balance.label.split(' ')[0]}", "tot"), value)
-    draft.add(
-        f"kept.{balance.label}.{'.'.join(balance.bodies)}",
-        "conservation",
-        t.equation(letter, draft.show(value)),
-        "torque.kept",
-        premises=[pushed.id],
-        letter=letter,
-        data={"value": value},
-    )
+    draft.add(f"kept.{balance.label}.{'.'.join(balance.bodies)}", "conservation", t.equation(letter, draft.show(value)),
+              "torque.kept", premises=[pushed.id], letter=letter, data={"value": value})  # fmt: skip
 
 
 def _solve(draft: Draft, found: Plan, steps: list[Step]) -> dict[str, Scalar]:
@@ -265,18 +238,9 @@ def by_bodies(draft: Draft, balance: Balance, settled: Mapping[str, Step]) -> St
     left = _without(balance.left, settled)
     statement = t.equation(draft.show_brief(left), draft.show(balance.right, factor=True))
     names = [t.Sym(n) for n in _inner_names(draft, balance)]
-    return draft.add(
-        f"balance.{'.'.join(balance.bodies)}",
-        "combination",
-        statement,
-        "torque.added",
-        level=FULL,
-        premises=[s.id for s in steps],
-        equations=[StepRef(s.id) for s in steps],
-        torques=names,
-        count=len(names),
-        data={"terms": [(1, step) for step in steps]},
-    )
+    return draft.add(f"balance.{'.'.join(balance.bodies)}", "combination", statement, "torque.added", level=FULL,
+                     premises=[s.id for s in steps], equations=[StepRef(s.id) for s in steps], torques=names, count=len(names),
+                     data={"terms": [(1, step) for step in steps]})  # fmt: skip
 
 
 def _without(side: Scalar, settled: Mapping[str, Step]) -> Scalar:
@@ -316,16 +280,10 @@ def _of_one(draft: Draft, balance: Balance, name: str, settled: Mapping[str, Ste
     used = {n: step for n, step in settled.items() if derivative(whole, n)}
     net, momenta = _net_of_one(draft, balance, name, known), _momenta_of(draft, balance, name)
     right = t.add(*([draft.show(known)] if known else []), *_inner_torques(draft, balance, name, t.Sym))
-    return draft.add(
-        f"balance.{name}",
-        "balance",
-        t.equation(draft.show(left), right),
-        f"torque.one.{'seen' if momenta else 'unseen'}",
-        level=FULL,
-        premises=[net.id, *(ref.id for ref in momenta), *(step.id for step in used.values())],
-        momenta=momenta,
-        settled=_settled(used),
-    )
+    return draft.add(f"balance.{name}", "balance", t.equation(draft.show(left), right),
+                     f"torque.one.{'seen' if momenta else 'unseen'}", level=FULL,
+                     premises=[net.id, *(ref.id for ref in momenta), *(step.id for step in used.values())], momenta=momenta,
+                     settled=_settled(used))  # fmt: skip
 
 
 def _settled(used: Mapping[str, Step]) -> PhraseRef:
@@ -355,17 +313,9 @@ def _net_of_one(draft: Draft, balance: Balance, name: str, known: Scalar) -> Ste
     total = sum((f.torque(balance.where) for f in forces), NOTHING)
     letter = draft.define_vector(draft.free(f"tau_{balance.label}_{name}"), Vector({}), short(total))
     parts = ([along_k(draft.show(known))] if known else []) + _inner_torques(draft, balance, name, t.Vec)
-    return draft.add(
-        f"torque.one.{name}",
-        "torque",
-        t.equation(letter, t.add(*parts)),
-        "torque.alone",
-        level=FULL,
-        premises=[f"force.{f.name}.{f.on}" for f in forces],
-        body=BodyRef(name),
-        point=t.Sym(balance.label),
-        data={"forces": tuple(forces), "origin": balance.where, "value": total},
-    )
+    return draft.add(f"torque.one.{name}", "torque", t.equation(letter, t.add(*parts)), "torque.alone", level=FULL,
+                     premises=[f"force.{f.name}.{f.on}" for f in forces], body=BodyRef(name), point=t.Sym(balance.label),
+                     data={"forces": tuple(forces), "origin": balance.where, "value": total})  # fmt: skip
 
 
 def _momenta_of(draft: Draft, balance: Balance, name: str) -> list[StepRef]:

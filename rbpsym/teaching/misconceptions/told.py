@@ -77,12 +77,13 @@ ASKED_OF: Mapping[str, tuple[str, ...]] = {  # a sum, no single body; what comes
 
 
 OF_BLOWS = ("momentum-kept-at-hinge", "struck-at-center-of-mass")  # worked out with a moment that holds in the blow alone
-SPEED_AFTER = re.compile(r"[\w ]*(?:speed|velocity) of [\w. ]+ when [\w -]+ begins")
+SPEED_AFTER = re.compile(r"[\w ]*(?:speed|velocity) of [\w. ]+ when [\w -]+ begins|start\.\w+_dot")
 
 
 def is_asked_of(name: str, target: Target) -> bool:
     """Whether the feedback of a misconception speaks of a target; that on blows of a speed right after."""
-    if name in OF_BLOWS and not SPEED_AFTER.fullmatch(target.slots["question"].text):
+    question = target.slots.get("question")
+    if name in OF_BLOWS and not SPEED_AFTER.fullmatch(question.text if question else target.id):
         return False
     return target.id.startswith(ASKED_OF.get(name, ""))
 
