@@ -145,7 +145,7 @@ def _restitution(draft: Draft, blow: Blow, element: Element, name: str) -> Step:
         f"{kind}.{element.name}",
         "restitution",
         t.equation(speeds[0], _positive(right)),
-        f"phases.{kind}.{'taut.' * ('path' in element.values)}{ {0: 'sticks', 1: 'whole'}.get(scalar(factor).number(), 'parts')}",
+        f"phases.{kind}.{'taut.' * ('path' in element.values)}{ {t.ZERO: 'sticks', t.ONE: 'whole'}.get(factor, 'parts')}",
         premises=[f"law.parting.{name}"],
         coefficient=factor,
         obligations=tuple(t.relation(part, ">=", t.ZERO) for part in (factor, t.add(t.ONE, t.neg(factor)))),
