@@ -16,25 +16,37 @@ TYPED = re.compile(r"[^\W\d_][\u0300-\u036f\u20d0-\u20ff]+|[^\x00-\x7f]")
 
 
 @cache
-def _tables() -> dict[str, Any]:
+def tables() -> dict[str, Any]:
+    """What is read, as data."""
     return tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+
+
+def commands(kind: str) -> tuple[str, ...]:
+    """The commands of a kind."""
+    return tuple(tables()["commands"][kind].split())
+
+
+@cache
+def by_command(kind: str) -> dict[str, str]:
+    """The kind of a part that has no value, by the command that begins it."""
+    return {command: name for name, others in tables()["kinds"][kind].items() for command in others.split()}
 
 
 @cache
 def spelled() -> Mapping[str, str]:
     """The spelling that is read, by each other of the same."""
-    return {other: text for text, others in _tables()["same"].items() for other in others.split()}
+    return {other: text for text, others in tables()["same"].items() for other in others.split()}
 
 
 @cache
 def words(kind: str) -> frozenset[str]:
     """Words between formulas: those that are `joining` two, and `conditional` ones, behind which stands when a formula holds."""
-    return frozenset(_tables()["words"][kind])
+    return frozenset(tables()["words"][kind])
 
 
 @cache
 def _signs() -> Mapping[str, str]:
-    return {char: latex for chars, latex in _tables()["typed"].items() for char in chars}
+    return {char: latex for chars, latex in tables()["typed"].items() for char in chars}
 
 
 def as_latex(text: str, start: int) -> tuple[str, int]:

@@ -95,19 +95,8 @@ CONDITIONS = re.compile(
     r"|para|si|cuando|donde|solo|pequeñ\w*|en|per|se|quando|dove|piccol\w*|pour|lorsque|quand|où|petit\w*|für|wenn|falls|bei|klein\w*|nur)\b",
     re.I,
 )  # words of a remark by which a formula may hold only sometimes
-LOOSE = {
-    r"\propto": "∝", r"\sim": "∼", r"\ll": "≪", r"\gg": "≫", r"\in": "∈", r"\lesssim": "≲", r"\gtrsim": "≳",
-    r"\perp": "⊥", r"\parallel": "∥", r"\subset": "⊂", r"\notin": "∉", r"\mapsto": "↦", r"\gets": "←", r"\subseteq": "⊆",
-    ":": ":", r"\leftrightarrow": "↔", r"\succ": "≻", r"\succeq": "⪰", r"\prec": "≺", r"\preceq": "⪯", r"\upuparrows": "⇈",
-}  # fmt: skip
 GIVEN = r"\given"
-LOOSE |= {GIVEN: "|", r"\longmapsto": "↦", r"\colon": ":"}
 COLUMN, END_COLUMN, NEXT = r"\column", r"\endcolumn", r"\next"  # signs round the rows of a vector, and between them
-_COLUMNS = frozenset({"pmatrix", "bmatrix", "matrix", "smallmatrix", "psmallmatrix", "Bmatrix", "vmatrix", "Vmatrix"})
-_ENVIRONMENTS = frozenset({
-    "aligned", "align", "align*", "eqnarray", "eqnarray*", "equation", "equation*", "split",
-    "gathered", "gather", "gather*", "array", "cases", "alignedat", "multlined", "dcases", "rcases", "multline", "flalign",
-})  # fmt: skip
 
 
 class Token(Frozen):
@@ -381,9 +370,9 @@ def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
 def _environment(source: SourceText, text: str, start: int, end: int) -> Token:
     name = text.partition("{")[2].partition("}")[0]
     by_cases = name in ("array", "cases", "dcases", "aligned") and _is_column(source.text, name, text, start, end)
-    if name.removesuffix("*") in _COLUMNS or by_cases:
+    if name.removesuffix("*") in words("columns") or by_cases:
         return Token("sign", COLUMN if text.startswith(r"\begin") else END_COLUMN, start, end)
-    if name not in _ENVIRONMENTS:
+    if name not in words("rows"):
         what = f"the environment “{name[:40]}” can't be read"
         raise source.error(what, start, end, "Use aligned, or write one formula.")
     return Token("begin", rf"\{text[1:].partition('{')[0].strip()}{{{name}}}", start, end)
