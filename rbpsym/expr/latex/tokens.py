@@ -336,22 +336,18 @@ def _command(text: str) -> tuple[str, str]:
 
 
 _DRAWN: dict[str, Callable[[str], tuple[str, str]]] = {  # what is drawn in several ways: its kind and text
-    "text": _text,
-    "command": _command,
-    "mark": lambda text: ("sign", text.strip("{}") if "." in text else text),
+    "text": _text, "command": _command, "mark": lambda text: ("sign", text.strip("{}") if "." in text else text),
     "plain": lambda text: ("command", rf"\{text}"),  # sin(x) is no product of three letters
     "differential": lambda text: ("differential", "∂" if "partial" in text else "d"),
     "bar": lambda text: ("sign", r"\rvert" if text.startswith((r"\right", r"\bigr")) else r"\lvert"),
     "row": lambda text: ("row", "\\\\" if text == r"\newline" else text if text[1] == "\\" else _ARROWS.get(text, "so")),
     "over": lambda text: _command(text[text.rindex("{") + 1 : -1].strip()),  # a word on a sign, which says why
     "zero": lambda _: ("digit", "0"),  # the vector zero is printed as a bold number
-    "gradient": lambda _: ("command", r"\nabla"),
-    "degree": lambda _: ("sign", "°"),
+    "gradient": lambda _: ("command", r"\nabla"), "degree": lambda _: ("sign", "°"),
     "arrow": lambda text: ("row", IMPLIED) if text.startswith(r"\xR") else ("command", r"\to"),  # and a word how one gets there
     "word": lambda text: ("text", text),  # of a text in Chinese, Japanese or Korean
-    "dots": lambda _: ("command", r"\dots"),
-    "empty": lambda text: ("sign", re.sub(r"\s", "", text)),
-}
+    "dots": lambda _: ("command", r"\dots"), "empty": lambda text: ("sign", re.sub(r"\s", "", text)),
+}  # fmt: skip
 
 
 def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
