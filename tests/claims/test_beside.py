@@ -392,6 +392,13 @@ def test_a_text_that_says_so_has_a_decimal_comma(folder, numbers, read):
     assert read in printed(paper.displayed[0], paper).latex
 
 
+@pytest.mark.parametrize(("package", "read"), [("physics", r"\divergence"), ("amsmath", r"\div")])
+def test_what_div_is_hangs_on_the_packages(folder, package, read):
+    (folder / "a.tex").write_text(rf"\usepackage{{{package}}} \[ \rho \div{{v}} = 0 \]")
+    paper = read_paper(folder / "a.tex")
+    assert f"{read}{{v}}" in printed(paper.displayed[0], paper).latex.replace(" ", "")
+
+
 CRATE = """
 title = "A crate that is pulled"
 [parameters]

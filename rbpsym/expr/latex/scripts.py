@@ -11,7 +11,7 @@ from rbpsym.expr.latex.spelled import commands
 from rbpsym.expr.symbol_table import Drawn, LatexReader
 
 DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
-_ACCENTED = ("hat", "bar", "tilde", "check", "breve", "acute", "mathring", "underline", "mathbb", "mathfrak", "slashed")
+_ACCENTED = ("hat", "bar", "tilde", "check", "breve", "acute", "mathring", "underline", "uuline", "mathbb", "mathfrak", "slashed")
 ACCENTS = {rf"\{kind}": kind for kind in _ACCENTED}
 VECTORS = frozenset({r"\vec", r"\boldsymbol"})
 SCRIPTS = frozenset({r"\mathcal", r"\mathpzc"})
