@@ -44,18 +44,14 @@ def words(kind: str) -> frozenset[str]:
     return frozenset(tables()["words"][kind])
 
 
-@cache
-def _signs() -> Mapping[str, str]:
-    return {char: latex for chars, latex in tables()["typed"].items() for char in chars}
-
-
 def as_latex(text: str, start: int) -> tuple[str, int]:
     """(the LaTeX of what is typed there, where that ends); "" where nobody writes it so."""
     found = TYPED.match(text, start)
     char, end = (found[0], found.end()) if found else (text[start], start + 1)
     tag, plain = decomposition(char[0]).partition(">")[0], normalize("NFKC", char)
-    if char in _signs() or category(char[0]) == "Lo":
-        return _signs().get(char, ""), end
+    written = next((latex for chars, latex in tables()["typed"].items() if char in chars), "")
+    if written or category(char[0]) == "Lo":
+        return written, end
     if tag in ("<super", "<sub"):
         while end < len(text) and decomposition(text[end]).startswith(tag):
             end += 1
