@@ -31,10 +31,9 @@ from rbpsym.typeset.text import to_text
 
 # what a value may not be, by the declared sign of its name
 CONTRADICTS = {
-    "positive": frozenset(("zero", "negative", "nonpositive")),
-    "nonnegative": frozenset(("negative",)),
+    "positive": frozenset(("zero", "negative", "nonpositive")), "nonnegative": frozenset(("negative",)),
     "nonzero": frozenset(("zero",)),
-}
+}  # fmt: skip
 HOLDS = (Outcome.PROVED, Outcome.DEFINITION)
 
 

@@ -120,15 +120,12 @@ def common_coordinate(studies: tuple[Study, Study], named: str) -> str:
 
 
 QUANTITIES: Mapping[str, Callable[[tuple[Study, Study], CoursePart], Compared | None]] = {
-    "oscillation": _oscillation,
-    "acceleration": _acceleration,
-    "speed": _speed,
-}
+    "oscillation": _oscillation, "acceleration": _acceleration, "speed": _speed,
+}  # fmt: skip
 SAID = {
-    "oscillation": "small oscillation",
-    "acceleration": "acceleration (as a function of position)",
+    "oscillation": "small oscillation", "acceleration": "acceleration (as a function of position)",
     "speed": "speed (as a function of position)",
-}
+}  # fmt: skip
 
 
 class _Context(BareGround):

@@ -248,8 +248,6 @@ def has_slopes(sides: list[Scalar], small: list[str]) -> bool:
 
 
 RELATIONS: dict[str, Callable[..., Verdict]] = {
-    "=": lambda a, b, op, question: equal_values(a, b, question),
-    "!=": lambda a, b, op, question: different(a, b, question),
-    "~": lambda a, b, op, question: equal_to_first_order(a, b, question),
-    **dict.fromkeys(("<", "<=", ">", ">="), ordered),
-}
+    "=": lambda a, b, op, question: equal_values(a, b, question), "!=": lambda a, b, op, question: different(a, b, question),
+    "~": lambda a, b, op, question: equal_to_first_order(a, b, question), **dict.fromkeys(("<", "<=", ">", ">="), ordered),
+}  # fmt: skip

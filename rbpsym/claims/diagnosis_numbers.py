@@ -189,27 +189,19 @@ def length(found: Value) -> float:
 
 
 FUNCTIONS: Mapping[str, Callable[[float], float]] = {
-    **OF_SCALARS,
-    "tan": math.tan,
-    "cot": lambda x: 1 / math.tan(x),
-    "sec": lambda x: 1 / math.cos(x),
+    **OF_SCALARS, "tan": math.tan, "cot": lambda x: 1 / math.tan(x), "sec": lambda x: 1 / math.cos(x),
     "csc": lambda x: 1 / math.sin(x),
-}
+}  # fmt: skip
 UNITS = {axis: Triple(float(axis == other) for other in "xyz") for axis in "xyz"}
 
 VALUES: Mapping[type, Callable[[Any, Sample], Value]] = {
-    t.Num: lambda node, at: float(node.value),
-    **dict.fromkeys((t.Sym, t.Vec), lambda node, at: at.leaf(node)),
-    t.Unit: lambda node, at: UNITS[node.axis],
-    t.Add: lambda node, at: sum(value(term, at) for term in node.terms),
+    t.Num: lambda node, at: float(node.value), **dict.fromkeys((t.Sym, t.Vec), lambda node, at: at.leaf(node)),
+    t.Unit: lambda node, at: UNITS[node.axis], t.Add: lambda node, at: sum(value(term, at) for term in node.terms),
     t.Neg: lambda node, at: -value(node.arg, at),
     t.Mul: lambda node, at: math.prod(value(factor, at) for factor in node.factors),
-    t.Div: lambda node, at: value(node.num, at) * (1 / value(node.den, at)),
-    t.Pow: _power,
-    t.Sqrt: lambda node, at: math.sqrt(value(node.arg, at)),
-    t.Fn: lambda node, at: FUNCTIONS[node.name](value(node.arg, at)),
-    t.Abs: lambda node, at: length(value(node.arg, at)),
-    t.Group: lambda node, at: value(node.arg, at),
+    t.Div: lambda node, at: value(node.num, at) * (1 / value(node.den, at)), t.Pow: _power,
+    t.Sqrt: lambda node, at: math.sqrt(value(node.arg, at)), t.Fn: lambda node, at: FUNCTIONS[node.name](value(node.arg, at)),
+    t.Abs: lambda node, at: length(value(node.arg, at)), t.Group: lambda node, at: value(node.arg, at),
     t.Cross: lambda node, at: cross(value(node.left, at), value(node.right, at)),
     t.Dot: lambda node, at: value(node.left, at) @ value(node.right, at),
-}
+}  # fmt: skip

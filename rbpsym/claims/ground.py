@@ -225,14 +225,10 @@ def grounded(setting: Setting, words: Glossary, world: World, names: Collection[
 
 DEPTHS = ("identity", "motion", "start")
 HOW = {
-    "identity": "identity",
-    "motion": "on the motion",
-    "start": "along the motion from the start",
-    "sense": "along the motion from the start until it first comes to rest",
-    "rates": "equal at the start and in rate",
-    "growth": "so at the start, and its rate keeps it so",
-    "constant": "its rate vanishes on the motion",
-}
+    "identity": "identity", "motion": "on the motion", "start": "along the motion from the start",
+    "sense": "along the motion from the start until it first comes to rest", "rates": "equal at the start and in rate",
+    "growth": "so at the start, and its rate keeps it so", "constant": "its rate vanishes on the motion",
+}  # fmt: skip
 
 
 class EqualityQuestion(Frozen):

@@ -318,13 +318,8 @@ MOST_TERMS, MOST_DERIVED = 1500, 150
 PRODUCTS = (t.Mul, t.Div, t.Dot, t.Cross)
 EARLY: dict[type, Callable[..., t.Node]] = {t.Sum: _sum, t.BodyIntegral: _body}
 LATE: dict[type, Callable[..., t.Node]] = {
-    t.PathIntegral: _path,
-    t.Integral: _integral,
-    t.Deriv: _derivative,
-    t.Bracket: _renamed,
-    t.Limit: _renamed,
-    t.At: _at,
-}
+    t.PathIntegral: _path, t.Integral: _integral, t.Deriv: _derivative, t.Bracket: _renamed, t.Limit: _renamed, t.At: _at,
+}  # fmt: skip
 
 
 def valued(node: t.Node, ground: Ground) -> Scalar | Space:

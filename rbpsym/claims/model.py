@@ -24,11 +24,9 @@ class Outcome(StrEnum):
 
 CERTIFIED = "certified by Rocq"
 EXPECTATIONS = {
-    "proved": (Outcome.PROVED, Outcome.DEFINITION),
-    "refuted": (Outcome.REFUTED,),
-    "undecided": (Outcome.UNDECIDED,),
+    "proved": (Outcome.PROVED, Outcome.DEFINITION), "refuted": (Outcome.REFUTED,), "undecided": (Outcome.UNDECIDED,),
     "not computed": (Outcome.NOT_COMPUTED,),
-}
+}  # fmt: skip
 
 
 class Printed(Frozen):

@@ -27,17 +27,12 @@ POSITIVE = Assumptions({"M": "positive", "I_cm": "positive"})
 
 
 DIMENSIONS = {
-    "M": dimensions.MASS,
-    "I_cm": dimensions.MASS * dimensions.LENGTH**2,
-    "E_p": dimensions.ENERGY,
-    "theta": dimensions.NUMBER,
-    "omega": dimensions.TIME**-1,
-    "alpha": dimensions.TIME**-2,
+    "M": dimensions.MASS, "I_cm": dimensions.MASS * dimensions.LENGTH**2, "E_p": dimensions.ENERGY,
+    "theta": dimensions.NUMBER, "omega": dimensions.TIME**-1, "alpha": dimensions.TIME**-2,
     **dict.fromkeys(("X", "Y", "xi", "eta", *(f"s{k}_{a}" for k in range(1, COUNT + 1) for a in "xy")), dimensions.LENGTH),
-    **dict.fromkeys(("X_dot", "Y_dot"), dimensions.SPEED),
-    **dict.fromkeys(("X_ddot", "Y_ddot"), dimensions.ACCELERATION),
+    **dict.fromkeys(("X_dot", "Y_dot"), dimensions.SPEED), **dict.fromkeys(("X_ddot", "Y_ddot"), dimensions.ACCELERATION),
     **dict.fromkeys((f"F{k}_{a}" for k in range(1, COUNT + 1) for a in "xy"), dimensions.FORCE),
-}
+}  # fmt: skip
 DIMENSIONS |= {f"{name}_start": found for name, found in DIMENSIONS.items()}
 LAWLESS = frozenset({"alpha", "X_ddot", "Y_ddot", *(f"F{k}_{axis}" for k in range(1, COUNT + 1) for axis in "xy")})
 

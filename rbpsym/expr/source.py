@@ -56,13 +56,11 @@ class SourceText(Frozen):
 
 _LIKE = {"‐": "-", "‑": "-", "‒": "-", "—": "-", "―": "-", "⁃": "-", "﹣": "-", "ꞏ": "*", "•": "*", "⸱": "*", "∣": "|"}
 _INSTEAD = {
-    "°": "Angles are in radians: 30° is pi/6.",
-    "{": "Use parentheses.",
-    "}": "Use parentheses.",
+    "°": "Angles are in radians: 30° is pi/6.", "{": "Use parentheses.", "}": "Use parentheses.",
     "%": "Write a fraction, as in 3/100.",
     "\\": "This looks like LaTeX; write names and signs as on a keyboard: theta, sqrt(x), a/b.",
     "'": "A derivative is written with its name: the speed of theta is theta_dot.",
-}
+}  # fmt: skip
 
 
 def refused(source: SourceText, char: str, start: int) -> RbpsymError:

@@ -382,6 +382,82 @@ def test_the_decimal_mark_is_that_of_the_whole_text(folder, numbers, told):
     assert told in printed(paper.displayed[0], paper).latex and len(printed(paper.displayed[0], paper).latex) == len(numbers) + 2
 
 
+@pytest.mark.parametrize(
+    ("numbers", "read"),
+    [("a = 1,5 b", "1.5"), ("a = 2(9,81)", "9.81"), ("a_{1,2} = b", "1,2"), ("A = (1,2)", "1,2"), (r"a = \cos(0,5)", "0.5")],
+)
+def test_a_text_that_says_so_has_a_decimal_comma(folder, numbers, read):
+    (folder / "a.tex").write_text(rf"\usepackage{{icomma}} \[ {numbers} \]")
+    paper = read_paper(folder / "a.tex")
+    assert read in printed(paper.displayed[0], paper).latex
+
+
+@pytest.mark.parametrize(("package", "read"), [("physics", r"\divergence"), ("amsmath", r"\div")])
+def test_what_div_is_hangs_on_the_packages(folder, package, read):
+    (folder / "a.tex").write_text(rf"\usepackage{{{package}}} \[ \rho \div{{v}} = 0 \]")
+    paper = read_paper(folder / "a.tex")
+    assert f"{read}{{v}}" in printed(paper.displayed[0], paper).latex.replace(" ", "")
+
+
+CRATE = """
+title = "A crate that is pulled"
+[parameters]
+m = "mass: mass"
+mu = "number: friction"
+T = "force: tension"
+theta = "angle, acute: slope of the rope"
+g = "acceleration: gravity"
+[coordinates.x]
+meaning = "place"
+dimension = "length"
+start = "0"
+speed = "0"
+[bodies.crate]
+shape = "particle"
+mass = "m"
+center = ["x", "0"]
+[interactions.W]
+type = "gravity"
+[interactions.C]
+type = "force"
+on = "crate.center"
+force = ["T*cos(theta)", "T*sin(theta)"]
+[constraints.N]
+type = "contact"
+point = "crate.center"
+line = "y = 0"
+coefficient = "mu"
+friction = "f_N"
+slip = "forward"
+"""
+
+
+def test_a_state_in_which_the_contact_would_pull_refutes_nothing(folder, capsys):
+    (folder / "crate.toml").write_text(CRATE)
+    said = "% rbpsym: problem = crate\n% rbpsym: f is the friction force\n% rbpsym: a is acceleration of x\n% rbpsym: claim\n"
+    _, [row] = checked(folder, capsys, "a.tex", rf"{said}\[ T\cos\theta - f = ma \]")
+    assert row["outcome"] != "REFUTED"
+    _, [row] = checked(folder, capsys, "a.tex", rf"{said}\[ T\cos\theta + f = ma \]")
+    assert row["outcome"] == "REFUTED"
+
+
+@pytest.mark.parametrize(
+    ("wrong", "right"),
+    [
+        (r"a = \frac{T\cos\theta - \mu N}{m g}", r"a = \frac{T\cos\theta - \mu N}{m}"),  # no factor above, too
+        (r"K = \frac{m}{8}\ddot{y}^2", r"K = \frac{m}{8}\dot{y}^2"),
+        (r"K = \frac{1}{2}v^2", r"K = \frac{1}{2} m v^2"),
+        (r"- \mu N = ma", r"T \cos\theta - \mu N = ma"),
+    ],
+)
+def test_a_repair_is_what_the_author_would_have_written(folder, capsys, wrong, right):
+    (folder / "crate.toml").write_text(CRATE)
+    meanings = ("a is acceleration of x", "y is 2*x", "K is the kinetic energy", "v is the speed of x")
+    said = "".join(f"% rbpsym: {one}\n" for one in ("problem = crate", *meanings, "claim"))
+    checked(folder, capsys, "a.tex", f"{said}\\begin{{equation}}\n  {wrong}\n\\end{{equation}}", "--fix", "a.patch")
+    assert f"+{right}".replace(" ", "") in (folder / "a.patch").read_text().replace(" ", "").split("\n")
+
+
 @pytest.mark.skipif(not shutil.which("git"), reason="git is not installed")
 def test_git_takes_a_patch_of_a_text_without_a_last_line_end(folder, capsys):
     tex, md = f"\f{TEX}\n% rbpsym: claim\n\\[{WRONG}\\]\f% end", f"{MD}\n<!-- rbpsym: claim -->\n$${WRONG}$$"

@@ -54,6 +54,11 @@ ROWS = [  # what is written, the question, what is written instead ("": the same
     (r"a = W \text{ whence } b = c", "do these words part two formulas?", "a = W, b = c", "a W b c", "a = W\nb = c"),
     ("eval_B = c", RUN, "", {"eval_B": "e", "c": "c"}, "e = c"),
     ("x, y = 0", SENTENCES["list"][0], "x = y = 0", "x y", "x = y = 0"),
+    (r"v\frac{Dv}{Dr} = a", SENTENCES["material"][0], "", "v D r a", "vDv/(Dr) = a"),
+    ("u^{-1} = u^0", RAISED, "", "", ""),
+    ("v^{1/2} = u^1", RAISED, "", "", ""),
+    ("[D u]^n = x", RAISED, "", "", ""),
+    (r"Sol_\phi(h) = x", RUN, "", "", ""),
 ]  # fmt: skip
 
 
@@ -92,6 +97,11 @@ def test_and_is_read_as_told(latex, _, instead, names, told):
         (r"a = b_c^d e", "a = raised(b_c, d) e"),
         (r"M\,R^2 = x", "MR² = x"),
         (r"a = b \text{ (damping)} \\ = c", "a = b = c"),
+        ("a:b = c:d", "a/b = c/d"),
+        ("c^{*2} = s^{\\prime 3}", "cₛₜₐᵣ² = s′³"),
+        (r"\underset{\text{drag}}{F} = ma", "F_drag = ma"),
+        (r"u = 0,\quad n = 1, \ldots, N_t - 1 \thinspace .", "u = 0"),
+        (r"F_{\text{y}} = v_{lim} + u_{réel} + x_{\text{si}}", "F_y = vₗᵢₘ + u_réel + xₛᵢ"),
     ],
 )
 def test_what_the_text_decides(latex, told):

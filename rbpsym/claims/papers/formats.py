@@ -185,11 +185,9 @@ def _told(part: Mapping[str, Any]) -> list[str]:
 
 
 FORMATS: Mapping[str, Callable[[str], str]] = {
-    **dict.fromkeys((".md", ".markdown", ".myst"), _of_markdown),
-    **dict.fromkeys((".html", ".htm"), _of_html),
-    ".rst": lambda text: _RST.sub(_rst_piece, text),
-    ".typ": of_typst,
-}
+    **dict.fromkeys((".md", ".markdown", ".myst"), _of_markdown), **dict.fromkeys((".html", ".htm"), _of_html),
+    ".rst": lambda text: _RST.sub(_rst_piece, text), ".typ": of_typst,
+}  # fmt: skip
 NOTEBOOK = ".ipynb"
 LATEX = (".tex", ".ltx", ".txt", ".latex")
 TEXTS = (*LATEX, *FORMATS, NOTEBOOK)  # the endings of the names of papers

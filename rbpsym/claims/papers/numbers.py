@@ -36,12 +36,9 @@ def letter(value: int) -> str:
 
 
 STYLES: Mapping[str, Callable[[int], str]] = {
-    "arabic": str,
-    "alph": letter,
-    "Alph": lambda value: letter(value).upper(),
-    "roman": roman,
+    "arabic": str, "alph": letter, "Alph": lambda value: letter(value).upper(), "roman": roman,
     "Roman": lambda value: roman(value).upper(),
-}
+}  # fmt: skip
 
 
 class Counters:

@@ -87,7 +87,8 @@ def read_paper(path: Path) -> Paper:
 def walked(text: PaperText) -> Paper:
     """The formulas of a text."""
     macros, plain, faults = definitions(text.text)
-    macros = {**definitions(text.packages)[0], **macros}
+    own = {r"\div": Macro(r"\divergence")} if _PHYSICS.search(text.text + text.packages) else {}  # else it divides
+    macros = {**own, **definitions(text.packages)[0], **macros}
     text = replace(text, text=plain)
     formulas = tuple(_Walker(text).walk())
     remarks = [(*text.origin(offset), said) for offset, said in faults]
@@ -96,6 +97,7 @@ def walked(text: PaperText) -> Paper:
     return Paper(text, formulas, macros, (*remarks, *_remarks(text, formulas)), mark)
 
 
+_PHYSICS = re.compile(r"\\(?:usepackage|RequirePackage)\s*(?:\[[^\]]*\]\s*)?\{[^{}]*\bphysics\b[^{}]*\}")
 _COMMA_SAID = re.compile(r"decimal-marker\s*=\s*\{?,|\{icomma\}|locale\s*=\s*(?:DE|FR)|\\decimalcomma")
 _DECIMAL = {
     mark: re.compile(rf"(?<![\d.,}}])(?:0{sign}\d|\d+{sign}(?:\d{{1,2}}|\d{{4,}})(?![\d{{]))")

@@ -19,26 +19,17 @@ from rbpsym.expr.directed import is_vector
 from rbpsym.expr.latex.functions import SIGNS, relation
 from rbpsym.expr.latex.grammar import argument, between, term_of
 from rbpsym.expr.latex.scripts import label_after
+from rbpsym.expr.latex.spelled import by_command, commands
 from rbpsym.expr.latex.tokens import COLUMN, END_COLUMN, NEXT, closed
 from rbpsym.expr.source import SourceText
 from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
 
 Sentence = tuple[str, str]
-_STATES = (r"\ket", r"\bra", r"\braket", r"\ketbra", r"\expval", r"\ev", r"\mel", r"\dyad")
 _BARS = ("|", r"\lvert", r"\rvert")
-_DOTTED = (r"\ldots", r"\cdots", r"\dots", r"\vdots", r"\ddots", r"\dotsc", r"\dotsb")
-_MEASURED = (r"\SI", r"\qty", r"\si", r"\unit", r"\SIrange", r"\qtyrange")
-_SUMMED = {
-    r"\prod": "product over", r"\bigcup": "union over", r"\bigcap": "intersection over", r"\bigoplus": "sum over",
-    **dict.fromkeys((r"\oint", r"\iint", r"\iiint", r"\oiint"), "∮"),
-}  # fmt: skip
-_BINOMIALS = (r"\binom", r"\dbinom", r"\tbinom")
-_QUANTIFIERS = {r"\forall": "∀", r"\exists": "∃"}
-_OPERATORS = (
-    r"\det", r"\min", r"\max", r"\Re", r"\Im", r"\arg", r"\sup", r"\inf", r"\dim", r"\ker", r"\Tr", r"\tr", r"\sgn", r"\deg",
-    r"\argmin", r"\argmax", r"\Pr", r"\lg", r"\gcd", r"\angle", r"\triangle",
-)  # fmt: skip
-_GRADIENTS = (r"\grad", r"\curl", r"\laplacian", r"\divergence")
+_STATES, _DOTTED, _MEASURED, _BINOMIALS, _OPERATORS, _GRADIENTS = map(commands, (
+    "states", "dotted", "measured", "binomials", "operators", "gradients",
+))  # fmt: skip
+_SUMMED, _QUANTIFIERS, _SIGNS = map(by_command, ("summed", "quantifiers", "signs"))
 _SHAPES = {"vmatrix": "determinant", "cases": "cases"}
 
 
@@ -64,9 +55,6 @@ def refuse(node: t.Node, source: SourceText) -> t.Node:
 def formal(reader: LatexReader, start: int, kind: str, *parts: t.Node) -> t.Node:
     """A part without a value, from `start` to here."""
     return reader.spanned(t.Formal(kind, parts), start)
-
-
-_SIGNS = {r"\infty": "∞", r"\nabla": "∇", r"\Box": "□", r"\square": "□", r"\emptyset": "∅"}
 
 
 @begins(*_DOTTED, *_SIGNS, *_GRADIENTS)

@@ -31,7 +31,8 @@ from rbpsym.expr.latex.grammar import (
 from rbpsym.expr.latex.names import begins_name, read_name
 from rbpsym.expr.latex.numerals import measured, number
 from rbpsym.expr.latex.scripts import label_after
-from rbpsym.expr.latex.tokens import LOOSE, Token, closed
+from rbpsym.expr.latex.spelled import by_command
+from rbpsym.expr.latex.tokens import Token, closed
 from rbpsym.expr.limits import MAX_EXPONENT, number_of
 from rbpsym.expr.symbol_table import COMMANDS, Drawn, LatexReader, begins
 
@@ -57,9 +58,9 @@ def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
         ends = reader.token.kind == "end"
         items.append(t.Formal("unfinished", span=(sign.start, sign.end)) if ends else measured(reader, expression(reader)))
     found = t.Chain(tuple(items), tuple(ops)) if ops else items[0]
-    if not reader.sees_sign(*LOOSE):
+    if not reader.sees_sign(*by_command("loose")):
         return found
-    loose = LOOSE[_pass_word(reader, reader.take())]
+    loose = by_command("loose")[_pass_word(reader, reader.take())]
     others, start = chained(reader, [expression(reader)], []), (items[0].span or (0, 0))[0]
     if loose == ":" and isinstance(others, t.Formal) and others.kind == ":" and isinstance(others.parts[0], t.Chain):  # a:b = c:d
         sides = (found, *others.parts[0].items, *others.parts[1:])
@@ -70,7 +71,7 @@ def chained(reader: LatexReader, items: list[t.Node], ops: list[str]) -> t.Node:
 
 def _pass_word(reader: LatexReader, sign: Token) -> str:
     """Pass what stands on an arrow or another sign, which says how; the sign. What is above = may belong to a name."""
-    while reader.sees_sign("_") or (sign.text in (r"\to", *LOOSE) and reader.sees_sign("^")):
+    while reader.sees_sign("_") or (sign.text in (r"\to", *by_command("loose")) and reader.sees_sign("^")):
         label_after(reader)
     return sign.text
 
@@ -156,7 +157,7 @@ def _holds_several(inner: tuple[Token, ...]) -> bool:
     place = 1
     while place < len(inner) - 1:
         token = inner[place]
-        if token.text == "," or token.text in SIGNS or token.text in LOOSE:
+        if token.text == "," or token.text in SIGNS or token.text in by_command("loose"):
             return True
         place = closed(inner, place) + 1
     return False

@@ -13,7 +13,8 @@ from rbpsym.expr.latex.numerals import number
 from rbpsym.expr.latex.rows import OPEN
 from rbpsym.expr.latex.scripts import label_after, mark_above
 from rbpsym.expr.latex.small import is_small
-from rbpsym.expr.latex.tokens import END_COLUMN, LOOSE, Token
+from rbpsym.expr.latex.spelled import by_command
+from rbpsym.expr.latex.tokens import END_COLUMN, Token
 from rbpsym.expr.limits import number_of
 from rbpsym.expr.symbol_table import COMMANDS, LatexReader, begins
 
@@ -101,10 +102,7 @@ def multiplied(reader: LatexReader) -> t.Node:
     return node
 
 
-_OPERATORS = {
-    r"\otimes": "⊗", r"\wedge": "∧", r"\circ": "∘", r"\oplus": "⊕", r"\cap": "∩", r"\cup": "∪", r"\vee": "∨", r"\setminus": "∖",
-    r"\angle": "∠",
-}  # fmt: skip
+_OPERATORS = by_command("products")
 
 
 def ends_integrand(reader: LatexReader) -> bool:
@@ -370,7 +368,7 @@ def between(reader: LatexReader, closing: str) -> t.Node:
     waiting = reader.integrals, reader.bars
     reader.integrals, reader.bars = 0, closing in _PLAIN_BARS
     node = COMMANDS["relation"](reader) if closing in _LISTS else expression(reader)
-    related = isinstance(node, t.Chain) or (isinstance(node, t.Formal) and node.kind in LOOSE.values())
+    related = isinstance(node, t.Chain) or (isinstance(node, t.Formal) and node.kind in by_command("loose").values())
     if closing in _LISTS and (related or reader.sees_sign(",", ";")):
         node = _listed(reader, node, _LISTS[closing], opening.start)
     reader.integrals, reader.bars = waiting

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from rbpsym.errors import RbpsymError
 from rbpsym.expr.latex.asides import without_asides
+from rbpsym.expr.latex.spelled import by_command
 from rbpsym.expr.latex.tokens import (
     COLUMN,
     CONDITION,
@@ -18,7 +19,6 @@ from rbpsym.expr.latex.tokens import (
     END_COLUMN,
     EQUIVALENT,
     IMPLIED,
-    LOOSE,
     NEXT,
     PUNCTUATION,
     Token,
@@ -267,7 +267,7 @@ class _Layout:
     def _is_quantified(self, k: int) -> bool:
         """Does it part what “for all” is of: ∀ x, y ∈ M?"""
         parts = (self.all[place] for place in self._row_before(k))
-        return next((one.text in _QUANTIFIERS for one in parts if one.text in (*_QUANTIFIERS, *LOOSE)), False)
+        return next((one.text in _QUANTIFIERS for one in parts if one.text in (*_QUANTIFIERS, *by_command("loose"))), False)
 
     def _cell_before(self, k: int) -> bool:
         """Is the cell empty that ends here?"""

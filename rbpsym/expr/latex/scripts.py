@@ -7,10 +7,11 @@ from dataclasses import replace
 
 from rbpsym.errors import Incomplete
 from rbpsym.expr.hyperbolic import FUNCTION_WORDS
+from rbpsym.expr.latex.spelled import commands
 from rbpsym.expr.symbol_table import Drawn, LatexReader
 
 DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
-_ACCENTED = ("hat", "bar", "tilde", "check", "breve", "acute", "mathring", "underline", "mathbb", "mathfrak", "slashed")
+_ACCENTED = ("hat", "bar", "tilde", "check", "breve", "acute", "mathring", "underline", "uuline", "mathbb", "mathfrak", "slashed")
 ACCENTS = {rf"\{kind}": kind for kind in _ACCENTED}
 VECTORS = frozenset({r"\vec", r"\boldsymbol"})
 SCRIPTS = frozenset({r"\mathcal", r"\mathpzc"})
@@ -18,11 +19,7 @@ PLAIN = frozenset({r"\mathit", r"\mathnormal"})
 DOTLESS = {r"\imath": "ı", r"\jmath": "ȷ"}
 HEADS = {*DOTS, *ACCENTS, *VECTORS, *SCRIPTS, *PLAIN, *DOTLESS}
 _MARKED = frozenset("+-*=()/<>|;:.^[]")  # what a label may hold beside letters and digits
-_NAMED = frozenset(rf"\{word}" for word in (
-    "pm", "mp", "max", "min", "perp", "parallel", "infty", "dagger", "star", "odot", "oplus", "to", "times", "bot", "top", "ne",
-    "in", "dots", "sim", "Vert", "gets", "le", "ge", "complement", "cup", "cap", "lvert", "rvert",
-    "square", "Box", "ldots", "cdots", "cdot", "uparrow", "downarrow",
-))  # fmt: skip
+_NAMED = frozenset(commands("labels"))
 
 
 def label_after(reader: LatexReader, *, begun: bool = False) -> str:

@@ -16,25 +16,32 @@ TYPED = re.compile(r"[^\W\d_][\u0300-\u036f\u20d0-\u20ff]+|[^\x00-\x7f]")
 
 
 @cache
-def _tables() -> dict[str, Any]:
+def tables() -> dict[str, Any]:
+    """What is read, as data."""
     return tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+
+
+def commands(kind: str) -> tuple[str, ...]:
+    """The commands of a kind."""
+    return tuple(tables()["commands"][kind].split())
+
+
+@cache
+def by_command(kind: str) -> dict[str, str]:
+    """The kind of a part that has no value, by the command that begins it."""
+    return {command: name for name, others in tables()["kinds"][kind].items() for command in others.split()}
 
 
 @cache
 def spelled() -> Mapping[str, str]:
     """The spelling that is read, by each other of the same."""
-    return {other: text for text, others in _tables()["same"].items() for other in others.split()}
+    return {other: text for text, others in tables()["same"].items() for other in others.split()}
 
 
 @cache
 def words(kind: str) -> frozenset[str]:
     """Words between formulas: those that are `joining` two, and `conditional` ones, behind which stands when a formula holds."""
-    return frozenset(_tables()["words"][kind])
-
-
-@cache
-def _signs() -> Mapping[str, str]:
-    return {char: latex for chars, latex in _tables()["typed"].items() for char in chars}
+    return frozenset(tables()["words"][kind])
 
 
 def as_latex(text: str, start: int) -> tuple[str, int]:
@@ -42,8 +49,9 @@ def as_latex(text: str, start: int) -> tuple[str, int]:
     found = TYPED.match(text, start)
     char, end = (found[0], found.end()) if found else (text[start], start + 1)
     tag, plain = decomposition(char[0]).partition(">")[0], normalize("NFKC", char)
-    if char in _signs() or category(char[0]) == "Lo":
-        return _signs().get(char, ""), end
+    written = next((latex for chars, latex in tables()["typed"].items() if char in chars), "")
+    if written or category(char[0]) == "Lo":
+        return written, end
     if tag in ("<super", "<sub"):
         while end < len(text) and decomposition(text[end]).startswith(tag):
             end += 1

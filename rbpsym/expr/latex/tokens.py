@@ -95,19 +95,8 @@ CONDITIONS = re.compile(
     r"|para|si|cuando|donde|solo|pequeñ\w*|en|per|se|quando|dove|piccol\w*|pour|lorsque|quand|où|petit\w*|für|wenn|falls|bei|klein\w*|nur)\b",
     re.I,
 )  # words of a remark by which a formula may hold only sometimes
-LOOSE = {
-    r"\propto": "∝", r"\sim": "∼", r"\ll": "≪", r"\gg": "≫", r"\in": "∈", r"\lesssim": "≲", r"\gtrsim": "≳",
-    r"\perp": "⊥", r"\parallel": "∥", r"\subset": "⊂", r"\notin": "∉", r"\mapsto": "↦", r"\gets": "←", r"\subseteq": "⊆",
-    ":": ":", r"\leftrightarrow": "↔", r"\succ": "≻", r"\succeq": "⪰", r"\prec": "≺", r"\preceq": "⪯", r"\upuparrows": "⇈",
-}  # fmt: skip
 GIVEN = r"\given"
-LOOSE |= {GIVEN: "|", r"\longmapsto": "↦", r"\colon": ":"}
 COLUMN, END_COLUMN, NEXT = r"\column", r"\endcolumn", r"\next"  # signs round the rows of a vector, and between them
-_COLUMNS = frozenset({"pmatrix", "bmatrix", "matrix", "smallmatrix", "psmallmatrix", "Bmatrix", "vmatrix", "Vmatrix"})
-_ENVIRONMENTS = frozenset({
-    "aligned", "align", "align*", "eqnarray", "eqnarray*", "equation", "equation*", "split",
-    "gathered", "gather", "gather*", "array", "cases", "alignedat", "multlined", "dcases", "rcases", "multline", "flalign",
-})  # fmt: skip
 
 
 class Token(Frozen):
@@ -347,22 +336,18 @@ def _command(text: str) -> tuple[str, str]:
 
 
 _DRAWN: dict[str, Callable[[str], tuple[str, str]]] = {  # what is drawn in several ways: its kind and text
-    "text": _text,
-    "command": _command,
-    "mark": lambda text: ("sign", text.strip("{}") if "." in text else text),
+    "text": _text, "command": _command, "mark": lambda text: ("sign", text.strip("{}") if "." in text else text),
     "plain": lambda text: ("command", rf"\{text}"),  # sin(x) is no product of three letters
     "differential": lambda text: ("differential", "∂" if "partial" in text else "d"),
     "bar": lambda text: ("sign", r"\rvert" if text.startswith((r"\right", r"\bigr")) else r"\lvert"),
     "row": lambda text: ("row", "\\\\" if text == r"\newline" else text if text[1] == "\\" else _ARROWS.get(text, "so")),
     "over": lambda text: _command(text[text.rindex("{") + 1 : -1].strip()),  # a word on a sign, which says why
     "zero": lambda _: ("digit", "0"),  # the vector zero is printed as a bold number
-    "gradient": lambda _: ("command", r"\nabla"),
-    "degree": lambda _: ("sign", "°"),
+    "gradient": lambda _: ("command", r"\nabla"), "degree": lambda _: ("sign", "°"),
     "arrow": lambda text: ("row", IMPLIED) if text.startswith(r"\xR") else ("command", r"\to"),  # and a word how one gets there
     "word": lambda text: ("text", text),  # of a text in Chinese, Japanese or Korean
-    "dots": lambda _: ("command", r"\dots"),
-    "empty": lambda text: ("sign", re.sub(r"\s", "", text)),
-}
+    "dots": lambda _: ("command", r"\dots"), "empty": lambda text: ("sign", re.sub(r"\s", "", text)),
+}  # fmt: skip
 
 
 def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
@@ -381,9 +366,9 @@ def _is_column(whole: str, name: str, text: str, start: int, end: int) -> bool:
 def _environment(source: SourceText, text: str, start: int, end: int) -> Token:
     name = text.partition("{")[2].partition("}")[0]
     by_cases = name in ("array", "cases", "dcases", "aligned") and _is_column(source.text, name, text, start, end)
-    if name.removesuffix("*") in _COLUMNS or by_cases:
+    if name.removesuffix("*") in words("columns") or by_cases:
         return Token("sign", COLUMN if text.startswith(r"\begin") else END_COLUMN, start, end)
-    if name not in _ENVIRONMENTS:
+    if name not in words("rows"):
         what = f"the environment “{name[:40]}” can't be read"
         raise source.error(what, start, end, "Use aligned, or write one formula.")
     return Token("begin", rf"\{text[1:].partition('{')[0].strip()}{{{name}}}", start, end)
