@@ -132,6 +132,9 @@ def _row(draft: Draft, blow: Blow, after: Scalar, before: Scalar, parts: list[Sc
     return t.equation(t.add(*left), t.add(*sums))
 
 
+MANNERS: Mapping[object, str] = {0: "sticks", 1: "whole"}  # by the coefficient
+
+
 def _restitution(draft: Draft, blow: Blow, element: Element, name: str) -> Step:
     """n·(v₂' - v₁') = -e n·(v₂ - v₁); the same along the tangent for the friction of a bounce that does not slip."""
     seen = ((blow.after, new_value), (blow.before, old_value))
@@ -145,7 +148,7 @@ def _restitution(draft: Draft, blow: Blow, element: Element, name: str) -> Step:
         f"{kind}.{element.name}",
         "restitution",
         t.equation(speeds[0], _positive(right)),
-        f"phases.{kind}.{'taut.' * ('path' in element.values)}{ {t.ZERO: 'sticks', t.ONE: 'whole'}.get(factor, 'parts')}",
+        f"phases.{kind}.{'taut.' * ('path' in element.values)}{MANNERS.get(scalar(factor).number(), 'parts')}",
         premises=[f"law.parting.{name}"],
         coefficient=factor,
         obligations=tuple(t.relation(part, ">=", t.ZERO) for part in (factor, t.add(t.ONE, t.neg(factor)))),
