@@ -157,7 +157,7 @@ def _in_its_words(asked: Asked, plain: str, letter: str) -> Answer:
     """The answer to a question, or to what the grammar of a book's English makes of it, if that is proved. Raises StatementError
     where it may mean several things with other answers."""
     try:
-        return _stated(asked, plain, letter)
+        return _ended(asked, _stated(asked, plain, letter), plain)
     except Ambiguous:
         raise
     except (StatementError, ReadError) as error:
@@ -171,9 +171,7 @@ def _in_its_words(asked: Asked, plain: str, letter: str) -> Answer:
         raise Ambiguous(f"“{plain}” asks several things", instead=f"ask {' and '.join(f'“{text}”' for text in readings)}.")
     for text in readings:
         try:
-            one = _stated(asked, text, letter)
-            if one.holds and ENDING.match(plain):
-                raise StatementError("it grows along the motion", instead=f"say until when: {moments_of(asked.problem, True)}.")
+            one = _ended(asked, _stated(asked, text, letter), plain)
             if one.verdict.is_proved and not any(_is_one(one, other) for other in found.values()):
                 found[text] = one
         except RbpsymError as error:
@@ -184,6 +182,15 @@ def _in_its_words(asked: Asked, plain: str, letter: str) -> Answer:
     for text, one in found.items():
         return replace(one, question=replace(one.question, text=plain), read_as=text)
     raise _refusal(asked.problem, plain, refused, errors)
+
+
+def _ended(asked: Asked, found: Answer, plain: str) -> Answer:
+    """The answer, if it is one value where one at the end is asked for. Raises StatementError for what still changes."""
+    is_moving = found.holds or any(depends_on(value, "t") for value in found.values)
+    if is_moving and ENDING.match(plain):
+        how = f"say until when: {moments_of(asked.problem, True)}." if plain[:3].lower() == "how" else "say where, or when."
+        raise StatementError("it changes along the motion", instead=how)
+    return found
 
 
 def _refusal(problem: Problem, plain: str, refused: RbpsymError, errors: Mapping[str, RbpsymError]) -> RbpsymError:
@@ -202,7 +209,7 @@ def _refusal(problem: Problem, plain: str, refused: RbpsymError, errors: Mapping
     return refused
 
 
-ENDING = re.compile(r"how (?:far|many|much|long)\b", re.I)
+ENDING = re.compile(r"how (?:far|many|much|long)\b|(?:.* )?final \w", re.I)
 NOTHING_MEANT = "means nothing in the problem"
 
 

@@ -108,6 +108,8 @@ def test_the_chart_finds_every_reading() -> None:
 
 NOWHERE = [  # refused as it was read: no other meaning is looked for
     ("ball-in-a-loop", "time until theta = -5"),
+    ("yo-yo", "how far does it fall"),  # until when?
+    ("block-up-and-down-incline", "final speed of the block"),
     ("ball-and-hinged-rod", "angular velocity of the rod when it is hit by the ball"),
     ("rod-pendulum", "speed of the zeppelin when it comes to rest"),
     ("sliding-ladder", "largest mu for which the ladder does not slide up"),
