@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from contextlib import suppress
 from functools import partial
 
+from rbpsym.ask.answer import found_of
 from rbpsym.ask.asked import Asked, NoClosedForm
 from rbpsym.ask.found import sense_at_sample, sense_stated
 from rbpsym.ask.moments import moment_of
@@ -211,7 +212,12 @@ def _gone(asked: Asked, said: re.Match[str], phase: int) -> str:
     if said["down"] or said["up"]:
         way = 1 if said["up"] else -1
         gap = world.bound(f"y component of displacement of {name}.cm").number - _value(world, said) * way
-        return equation(world, (gap,), f"“{name}” has gone so far")
+        try:
+            return equation(world, (gap,), f"“{name}” has gone so far")
+        except StatementError:
+            if timed := _in_time(asked, phase, f"y component of displacement of {name}.cm", _value(world, said) * way):
+                return timed
+            raise
     what = f"angle of {name}" if said["round"] else f"way of {name}"
     free = mover(world.study) or next(iter(world.study.system.independent), "t")
     rates = _rates(world, name, free, turns=bool(said["round"]))
@@ -221,12 +227,28 @@ def _gone(asked: Asked, said: re.Match[str], phase: int) -> str:
         push = first_push(world.motion, free)
         onwards = sense_stated(world.study, push) or sense_at_sample(world.study, push)
     if not onwards or is_zero(size) or not _is_led(world, name, free, turns=bool(said["round"])):
+        counted = f"angle turned by {name}" if said["round"] else f"displacement of {name}.cm"
+        if timed := _in_time(asked, phase, counted, _value(world, said), is_size=True):
+            return timed
         raise StatementError(
             f"the {what} is not told by one coordinate that goes on in one sense",
             instead=f"say where: “where {free} = VALUE”.",
         )
     begun = world.motion.scope.start.get(free, NOTHING)
     return f"{free} = {to_machine(present(short(begun + _value(world, said) / root(size) * onwards)))}"
+
+
+def _in_time(asked: Asked, phase: int, counted: str, value: Scalar, *, is_size: bool = False) -> str | None:
+    """When what is counted from the start, or its size, has a value, if that grows with the time or its square: straight on then."""
+    with suppress(RbpsymError):
+        found = found_of(asked, Question("", counted, of="t")).values if not phase else ()
+        for power in (1, 2):
+            rates = [short(part / symbol("t") ** power) for part in found]
+            if any(rates) and not any(depends_on(rate, "t") for rate in rates):
+                size = root(short(sum((rate * rate for rate in rates), NOTHING))) if is_size else rates[0]
+                time = short(value / size) if power == 1 else root(short(value / size))
+                return f"t = {to_machine(present(time))}"
+    return None
 
 
 def along_a_line(asked: Asked, name: str, free: str) -> bool:
