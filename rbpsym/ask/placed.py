@@ -239,7 +239,7 @@ def _gone(asked: Asked, said: re.Match[str], phase: int) -> str:
 
 
 def _in_time(asked: Asked, phase: int, counted: str, value: Scalar, *, is_size: bool = False) -> str | None:
-    """When what is counted from the start, or its size, has a value, if that grows with the time or its square: straight on then."""
+    """When what is counted from the start, or its size, has a value, if it grows with the time or its square: straight on."""
     with suppress(RbpsymError):
         found = found_of(asked, Question("", counted, of="t")).values if not phase else ()
         for power in (1, 2):
