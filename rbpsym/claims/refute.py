@@ -83,6 +83,11 @@ def _pushing(question: EqualityQuestion) -> list[Condition]:
     return [*begun_within(question), *(replace(c, value=question.begin(c.value)) for c in question.motion.pushed())]
 
 
+def _pushing_there(motion: Motion, is_moving: bool) -> list[Condition]:
+    """That contacts push: at the place of which a claim tells; of what is constant only what is so at all places."""
+    return [c for c in motion.pushed() if is_moving or not names_in(c.value) & {*motion.scope.rates, *motion.speeds}]
+
+
 def is_timed(question: EqualityQuestion) -> bool:
     """Whether a condition of the claim is one on the time: which places are met then is not looked for."""
     return question.ground.assumed is not None and question.ground.assumed.range_of("t") != (None, None)
@@ -101,9 +106,10 @@ def _at_any_state(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
         return undecided("")
     if not _may_be_met((x, y), motion):
         return undecided("")
-    kept = motion.kept if any(depends_on(v, name) for v in (x, y) for name in motion.scope.rates) else ()
+    is_moving = any(depends_on(v, name) for v in (x, y) for name in motion.scope.rates)
+    kept = (*(motion.kept if is_moving else ()), *_pushing_there(motion, is_moving))
     for pair, domain in with_energy((x, y), motion):
-        found = witness_of(pair[0], pair[1], motion.assumptions, [*domain, *kept, *motion.pushed()])
+        found = witness_of(pair[0], pair[1], motion.assumptions, [*domain, *kept])
         if found.is_refuted:
             return found
     return undecided("")
@@ -161,7 +167,8 @@ def _differ(a: Scalar, b: Scalar, question: EqualityQuestion) -> Verdict:
     for pair, when in on_path((a, b), motion):
         if holds_unknowns(pair[0] - pair[1], question) or (not motion.is_free and any(map(_holds_speed, pair))):
             continue
-        found = witness_of(pair[0], pair[1], motion.assumptions, [*reachable(motion), *motion.pushed(), *when], path=path)
+        pushing = _pushing_there(motion, bool(path.names))
+        found = witness_of(pair[0], pair[1], motion.assumptions, [*reachable(motion), *pushing, *when], path=path)
         if found.is_refuted:
             return found
     return undecided("")

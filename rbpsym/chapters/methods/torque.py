@@ -207,8 +207,9 @@ def _sources(found: Plan, steps: list[Step], name: str, zeros: Mapping[str, Step
         fewer = [_without(balance.row, zeros) for other, balance in kept.items() if other != k]
         if _gives(fewer, found.unknowns, name):
             del kept[k]
-    in_them = frozenset().union(*(balance.unknowns for balance in kept.values()))
-    said = [step.id for zero, step in zeros.items() if zero in in_them]
+    told = {k: {*steps[k].premises, *steps[k].cites} for k in kept}  # with what is left out of a balance
+    said = [step.id for zero, step in zeros.items()
+            if any(zero in balance.unknowns and step.id not in told[k] for k, balance in kept.items())]  # fmt: skip
     own = [step.id for k, step in enumerate(steps) if k in kept or step.id in said]
     return own + [id for id in said if id not in own]
 
