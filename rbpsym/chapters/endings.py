@@ -86,9 +86,10 @@ def _place(draft: Draft, ending: Ending) -> None:
     value = ending.state.places[name]
     letter = draft.define(place_name(draft, name, ending.number), value)
     led = [f"along.{ending.phase.subject}", *([f"square.{name}"] if ending.phase.event == "rests" else [])]
-    draft.add("place", "event_place", t.equation(letter, draft.show(value)), f"phases.place.{EVENTS[ending.phase.event].place}",
+    kind = EVENTS[ending.phase.event].place  # a value that the statement names is no result
+    draft.add("place", "event_place", t.equation(letter, draft.show(value)), f"phases.place.{kind}",
               premises=draft.those(*led),
-              letter=letter, force=t.Sym(ending.phase.subject), coordinate=t.Sym(name), is_result=True,
+              letter=letter, force=t.Sym(ending.phase.subject), coordinate=t.Sym(name), is_result=kind != "value",
               obligations=draft.asked(ending.state.valid), data={"ending": ending, "name": name, "value": value})  # fmt: skip
 
 

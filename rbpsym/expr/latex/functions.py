@@ -275,8 +275,8 @@ def _function(reader: LatexReader) -> t.Node:
             asked = f"this power of {name} can be read in two ways", rf"Write \arc{name}, or ({token.text} x)^n."
             name, exponent = (name, exponent) if reader.decide(*asked) else (f"a{name}", None)
         elif name in _INVERSE_POWER or (number_of(exponent) is None and not t.names(exponent)):  # sin^n x is no n-th inverse
-            hint = "" if name in _INVERSE_POWER else rf"\arc{name}, or "
-            raise reader.error(f"this power of {name} can be read in two ways", f"Write {hint}({token.text} x)^n.", token)
+            instead = f"Write ({token.text} x)^n." if name in _INVERSE_POWER else rf"Write \arc{name}, or ({token.text} x)^n."
+            raise reader.error(f"this power of {name} can be read in two ways", instead, token)
     arg = _argument(reader, token)
     if token.text == r"\log" and base is None:
         return reader.spanned(t.Formal("log", (arg,)), token.start)
