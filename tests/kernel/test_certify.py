@@ -83,7 +83,7 @@ def test_nothing_is_divided_by_a_letter_that_a_premise_says_to_vanish(name: str)
 LONG = [pytest.param(name, marks=pytest.mark.thorough) for name in ("rod-with-spring", "double-compound-pendulum")]
 
 
-@pytest.mark.parametrize("name", ["four-bar-linkage", *LONG])
+@pytest.mark.parametrize("name", ["marble-in-half-smooth-bowl", *LONG])
 def test_what_has_no_words_yet_is_told_by_its_step(name: str) -> None:
     whole = found(name)
     assert whole.refused and all(whole.refused.values())
