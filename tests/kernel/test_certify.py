@@ -80,7 +80,7 @@ def test_nothing_is_divided_by_a_letter_that_a_premise_says_to_vanish(name: str)
             assert not gone & t.names(below), (lemma.name, below)
 
 
-LONG = [pytest.param(name, marks=pytest.mark.thorough) for name in ("rod-with-spring", "double-compound-pendulum")]
+LONG = [pytest.param(name, marks=pytest.mark.thorough) for name in ("half-disk-rocking", "double-compound-pendulum")]
 
 
 @pytest.mark.parametrize("name", ["marble-in-half-smooth-bowl", *LONG])
