@@ -178,8 +178,9 @@ def placed(asked: Asked, text: str) -> str:
 
 def _of_phase(asked: Asked, find: Callable[[int], str], text: str) -> tuple[str, str]:
     """Where a coordinate says it: in the phase that is named; else in the first one, which is named where it is not so in all."""
-    if named := re.search(r"\bin phase ([\w-]+)", text):
-        return "", find(asked.named(named[1]))
+    named = [k for k, name in enumerate(asked.names) if re.search(rf"\bin phase {re.escape(name)}(?![\w-])", text)]
+    if named:
+        return "", find(named[-1])
     place = find(asked.lasting)
     try:
         told = {find(other) for other in range(asked.lasting + 1, len(asked.names))} if place != text else set()
